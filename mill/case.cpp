@@ -1,0 +1,80 @@
+#include "mill/case.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "mill/failure.h"
+
+namespace millwear {
+namespace {
+
+constexpr double gravity = 9.81;  // [m/s2]
+
+bool smaller(const ParticleClass& a, const ParticleClass& b) { return a.diameter < b.diameter; }
+
+}  // namespace
+
+const MaterialPair& pair_of(const Case& mill, std::size_t a, std::size_t b) {
+  const auto found =
+      std::find_if(mill.pairs.begin(), mill.pairs.end(), [a, b](const MaterialPair& pair) {
+        return (pair.first == a && pair.second == b) || (pair.first == b && pair.second == a);
+      });
+  if (found == mill.pairs.end()) {
+    const std::string& first = mill.materials.at(a).name;
+    const std::string& second = mill.materials.at(b).name;
+    throw InputError(fmt::format(
+        "no friction is given between {0} and {1} (they touch in this mill); add a [[pairs]] with "
+        "materials = [\"{0}\", \"{1}\"]",
+        first, second));
+  }
+  return *found;
+}
+
+ChargeTotals totals(const Case& mill) {
+  ChargeTotals sum{0, 0.0, 0.0};
+  for (const ParticleClass& c : mill.charge.classes) {
+    const double volume = static_cast<double>(c.count) * sphere_volume(c.diameter);
+    sum.particles += c.count;
+    sum.solid_volume += volume;
+    sum.mass += volume * mill.materials.at(c.material).density;
+  }
+  return sum;
+}
+
+double inside_volume(const Case& mill) {
+  const LinerSector& sector = mill.liner.sector;
+  const double section = std::numbers::pi * sector.shell_radius * sector.shell_radius -
+                         sector.rows * steel_area(mill.liner);
+  return section * mill.slice_length;
+}
+
+double computed_filling(const Case& mill) {
+  return totals(mill).solid_volume / (1.0 - mill.charge.porosity) / inside_volume(mill);
+}
+
+double critical_speed_fraction(const Case& mill) {
+  return mill.speed / critical_speed(mill.liner.sector, largest_diameter(mill));
+}
+
+double critical_speed(const LinerSector& sector, double largest) {
+  return std::sqrt(gravity / (sector.plate_radius - 0.5 * largest));
+}
+
+double softened_shear_modulus(const Case& mill, std::size_t material) {
+  return mill.materials.at(material).shear_modulus / mill.dem.modulus_reduction;
+}
+
+double largest_diameter(const Case& mill) {
+  const auto& classes = mill.charge.classes;
+  return std::max_element(classes.begin(), classes.end(), smaller)->diameter;
+}
+
+double smallest_diameter(const Case& mill) {
+  const auto& classes = mill.charge.classes;
+  return std::min_element(classes.begin(), classes.end(), smaller)->diameter;
+}
+
+}  // namespace millwear

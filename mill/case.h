@@ -1,0 +1,122 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mill/charge.h"
+#include "mill/liner_profile.h"
+
+namespace millwear {
+
+/// A solid: density [kg/m3], shear modulus as measured [Pa] (before it is softened for the DEM) and
+/// Poisson's ratio.
+struct Material {
+  std::string name;
+  double density;
+  double shear_modulus;
+  double poisson_ratio;
+};
+
+/// How two materials touch: coefficients of sliding and rolling friction and of restitution.
+struct MaterialPair {
+  std::size_t first;   ///< index into Case::materials
+  std::size_t second;  ///< index into Case::materials
+  double sliding_friction;
+  double rolling_friction;
+  double restitution;
+};
+
+/// What the owner declares about the filling, shares of the mill's inside volume. Used for the
+/// counts where the charge is given by filling, and only compared with where it is given by counts.
+struct DeclaredFilling {
+  std::optional<double> total;  ///< J
+  std::optional<double> balls;
+};
+
+struct Charge {
+  std::vector<ParticleClass> classes;  ///< largest first
+  DeclaredFilling declared;
+  double porosity;        ///< voids of the charge at rest
+  double truncate_below;  ///< sizes under this are left out [m]; 0 keeps all
+};
+
+enum class RollingFriction { cdt, epsd2 };
+
+struct DemSettings {
+  double modulus_reduction;                 ///< the moduli are divided by this
+  double rayleigh_fraction;                 ///< time step as a share of the least Rayleigh time
+  std::optional<double> longest_time_step;  ///< [s]; the step is never above this
+  RollingFriction rolling_friction;
+  double mix_revolutions;  ///< before the first measurement
+  int settle_pitches;      ///< turned on a new mesh before the load is measured
+  double measure_revolutions;
+  int sample_every_steps;      ///< steps between two samples of the wall contacts
+  int ranks;                   ///< MPI ranks; 0 takes every core
+  std::optional<double> skin;  ///< neighbour skin [m]; by default a quarter of the mean radius
+  double mesh_tolerance;       ///< mesh against profile, share of the least particle radius
+  std::uint64_t seed;          ///< of the first packing
+  bool keep_dumps;             ///< keep the contact dumps as files
+  std::optional<double> time_step{};  ///< wanted [s], in place of the share of the Rayleigh time
+};
+
+struct WearSettings {
+  double specific_wear_rate;  ///< k = K/H of Archard's law [1/Pa]
+  int bins;                   ///< along one pitch
+  int time_blocks;            ///< replicates of the load in one measurement
+};
+
+/// When to run the DEM anew, and when to stop.
+struct CampaignSettings {
+  double threshold;     ///< worn share of the new lifter's volume per DEM load
+  int steps_per_cycle;  ///< geometry steps in which that share is taken
+  double height_limit;  ///< the liner is worn out at this lifter height [m]
+  double plate_limit;   ///< ... or at this least plate thickness [m]
+  int cycle_limit;      ///< stop after so many cycles
+};
+
+/// A mill as its owner describes it, complete and checked. SI units, angles in radians.
+struct Case {
+  std::string name;
+  std::filesystem::path file;       ///< where it was read
+  double slice_length;              ///< of the periodic slice, along the axis [m]
+  double speed;                     ///< [rad/s], > 0
+  std::optional<double> feed_rate;  ///< [kg/s]
+  LinerProfile liner;               ///< as new
+  std::vector<Material> materials;
+  std::vector<MaterialPair> pairs;  ///< one for each unordered pair in use
+  std::size_t liner_material;
+  Charge charge;
+  DemSettings dem;
+  WearSettings wear;
+  CampaignSettings campaign;
+};
+
+/// The pair of two materials, in either order. Throws InputError if no pair covers them.
+[[nodiscard]] const MaterialPair& pair_of(const Case& mill, std::size_t a, std::size_t b);
+
+[[nodiscard]] ChargeTotals totals(const Case& mill);
+
+/// Inside volume of the simulated slice with its liner as new [m3].
+[[nodiscard]] double inside_volume(const Case& mill);
+
+/// Filling that the particle counts make at rest: solid volume / (1 - porosity) / inside volume.
+[[nodiscard]] double computed_filling(const Case& mill);
+
+/// Share of the speed at which the largest particle would centrifuge on the plate [-]:
+///     omega_c = sqrt(g / (R - d/2)),   R the plate's radius, d the largest diameter.
+[[nodiscard]] double critical_speed_fraction(const Case& mill);
+
+/// The speed omega_c [rad/s] at which a particle of diameter `largest` [m] would centrifuge.
+[[nodiscard]] double critical_speed(const LinerSector& sector, double largest);
+
+/// Shear modulus as it enters the DEM [Pa].
+[[nodiscard]] double softened_shear_modulus(const Case& mill, std::size_t material);
+
+/// Largest and smallest particle diameters of the charge [m].
+[[nodiscard]] double largest_diameter(const Case& mill);
+[[nodiscard]] double smallest_diameter(const Case& mill);
+
+}  // namespace millwear

@@ -1,0 +1,130 @@
+#include "mill/case_build.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "mill/case_schema.h"
+#include "mill/case_schema_check.h"
+#include "mill/case_units.h"
+#include "mill/case_values.h"
+
+namespace millwear {
+
+std::size_t material_index(const std::vector<Material>& materials, const CaseTable& table,
+                           std::string_view key, std::string_view name, CaseProblems& problems) {
+  const auto found = std::find_if(materials.begin(), materials.end(),
+                                  [name](const Material& m) { return m.name == name; });
+  if (found != materials.end()) {
+    return static_cast<std::size_t>(found - materials.begin());
+  }
+  std::vector<std::string_view> known;
+  for (const Material& material : materials) {
+    known.push_back(material.name);
+  }
+  const std::string near = nearest_word(name, known);
+  problems.add(table.find(key)->line,
+               fmt::format("no [[materials]] has the name `{}`; {}", name,
+                           near.empty() ? "add one" : fmt::format("did you mean `{}`?", near)));
+  return 0;
+}
+
+std::vector<Material> build_materials(const CaseDocument& document, CaseProblems& problems) {
+  std::vector<Material> materials;
+  for (const CaseTable* table : document.all("materials")) {
+    Material material{text_value(*table, "name"), real_value(*table, "density_kg_per_m3"),
+                      real_value(*table, "shear_modulus_pa"), real_value(*table, "poisson_ratio")};
+    if (std::any_of(materials.begin(), materials.end(),
+                    [&](const Material& m) { return m.name == material.name; })) {
+      problems.add(table->find("name")->line,
+                   fmt::format("two materials are called `{}`; rename one", material.name));
+    }
+    materials.push_back(std::move(material));
+  }
+  return materials;
+}
+
+std::vector<MaterialPair> build_pairs(const CaseDocument& document,
+                                      const std::vector<Material>& materials,
+                                      CaseProblems& problems) {
+  std::vector<MaterialPair> pairs;
+  for (const CaseTable* table : document.all("pairs")) {
+    const std::vector<std::string> names = text_values(*table, "materials");
+    const auto [first, second] =
+        std::minmax({material_index(materials, *table, "materials", names[0], problems),
+                     material_index(materials, *table, "materials", names[1], problems)});
+    const MaterialPair pair{first, second, real_value(*table, "sliding_friction"),
+                            real_value(*table, "rolling_friction"),
+                            real_value(*table, "restitution")};
+    if (problems.empty() && std::any_of(pairs.begin(), pairs.end(), [&](const MaterialPair& p) {
+          return p.first == pair.first && p.second == pair.second;
+        })) {
+      problems.add(
+          table->find("materials")->line,
+          fmt::format("the pair of `{}` and `{}` is given twice; delete one", names[0], names[1]));
+    }
+    pairs.push_back(pair);
+  }
+  return pairs;
+}
+
+DemSettings build_dem(const CaseDocument& document) {
+  const CaseTable defaults{"dem", 1, false, {}};
+  const CaseTable* const written = document.find("dem");
+  const CaseTable& dem = written == nullptr ? defaults : *written;
+  return {.modulus_reduction = real_value(dem, "modulus_reduction"),
+          .rayleigh_fraction = real_value(dem, "rayleigh_fraction"),
+          .longest_time_step = optional_real(dem, "longest_time_step_s"),
+          .rolling_friction = text_value(dem, "rolling_friction_model") == "cdt"
+                                  ? RollingFriction::cdt
+                                  : RollingFriction::epsd2,
+          .mix_revolutions = real_value(dem, "mix_revolutions"),
+          .settle_pitches = integer_value(dem, "settle_pitches"),
+          .measure_revolutions = real_value(dem, "measure_revolutions"),
+          .sample_every_steps = integer_value(dem, "sample_every_steps"),
+          .ranks = integer_value(dem, "ranks"),
+          .skin = optional_real(dem, "skin_m"),
+          .mesh_tolerance = real_value(dem, "mesh_tolerance"),
+          .seed = static_cast<std::uint64_t>(integer_value(dem, "seed")),
+          .keep_dumps = boolean_value(dem, "keep_dumps"),
+          .time_step = optional_real(dem, "time_step_s")};
+}
+
+WearSettings build_wear(const CaseDocument& document) {
+  const CaseTable& wear = *document.find("wear");
+  return {.specific_wear_rate = real_value(wear, "specific_wear_rate_per_pa"),
+          .bins = integer_value(wear, "bins"),
+          .time_blocks = integer_value(wear, "time_blocks")};
+}
+
+CampaignSettings build_campaign(const CaseDocument& document) {
+  const CaseTable& campaign = *document.find("campaign");
+  const double plate_thickness = real_value(*document.find("lifter"), "plate_thickness_m");
+  return {.threshold = real_value(campaign, "threshold"),
+          .steps_per_cycle = integer_value(campaign, "steps_per_cycle"),
+          .height_limit = real_value(campaign, "height_limit_m"),
+          .plate_limit = optional_real(campaign, "plate_limit_m").value_or(0.1 * plate_thickness),
+          .cycle_limit = integer_value(campaign, "cycle_limit")};
+}
+
+double build_speed(const CaseDocument& document, const LinerSector& sector, double largest_diameter,
+                   CaseProblems& problems) {
+  const CaseTable& mill = *document.find("mill");
+  const std::optional<double> rpm = optional_real(mill, "speed_rpm");
+  const std::optional<double> fraction = optional_real(mill, "critical_speed_fraction");
+  if (rpm.has_value() == fraction.has_value()) {
+    problems.add(mill.line,
+                 fmt::format("[mill] has {} `speed_rpm` {} `critical_speed_fraction`; give one of "
+                             "the two",
+                             rpm ? "both" : "neither", rpm ? "and" : "nor"));
+    return 1.0;
+  }
+  if (rpm) {
+    return speed_from_rpm(*rpm);
+  }
+  const double speed = *fraction * critical_speed(sector, largest_diameter);
+  return speed_from_rpm(speed / speed_from_rpm(1.0));
+}
+
+}  // namespace millwear

@@ -1,0 +1,205 @@
+#include "mill/case_schema.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace millwear {
+namespace {
+
+using enum KeyType;
+using enum Presence;
+
+constexpr KeyRange any{};
+constexpr KeyRange positive{.low = 0.0, .above_low = true};
+constexpr KeyRange at_least(double low) { return {.low = low}; }
+constexpr KeyRange between(double low, double high) { return {.low = low, .high = high}; }
+constexpr KeyRange above_up_to(double low, double high) { return {low, high, true}; }
+
+constexpr std::array<TableSpec, 11> tables{{
+    {"", false, true, "The keys before the first table."},
+    {"mill", false, true, "The mill and the slice of it that is simulated."},
+    {"lifter", false, true,
+     "One lifter and its share of the plate: by `height_m`, `top_width_m` and two face angles, or "
+     "measured in `profile_csv`, or listed in `nodes_m`."},
+    {"materials", true, true, "A solid: the liner's, a ball's, an ore's."},
+    {"pairs", true, true, "How two materials touch; one for each pair that can meet."},
+    {"charge", false, true,
+     "Balls and ore: by [[charge.counts]], or by `total_filling` and [[charge.distributions]]."},
+    {"charge.counts", true, false, "Particles of one material and one size in the slice."},
+    {"charge.distributions", true, false,
+     "Sieve analysis of one material. Its share of the filling becomes particle counts: bulk "
+     "volume = filling x pi R^2 L with R the plate's radius, solid = bulk x (1 - porosity)."},
+    {"dem", false, false, "The discrete element model."},
+    {"wear", false, true, "From wall contacts to lost steel."},
+    {"campaign", false, true, "When the DEM is run anew, and when the liner is worn out."},
+}};
+
+constexpr KeySpec keys[] = {
+    {"", "format_version", integer, required, "", between(1, case_format_version), "",
+     "version of this format: 1"},
+    {"", "name", name, required, "", any, "", "the mill's name: 1 to 64 of A-Z a-z 0-9 _ -"},
+
+    {"mill", "shell_diameter_m", real, required, "", above_up_to(0.0, 50.0), "",
+     "inside diameter of the shell, under the liner [m]"},
+    {"mill", "slice_length_m", real, required, "", above_up_to(0.0, 50.0), "",
+     "length of the simulated slice along the axis, periodic [m]"},
+    {"mill", "rows", integer, required, "", between(3, 1000), "", "lifters around the mill"},
+    {"mill", "speed_rpm", real, optional, "", positive, "",
+     "speed [1/min]; this or `critical_speed_fraction`"},
+    {"mill", "critical_speed_fraction", real, optional, "", above_up_to(0.0, 3.0), "",
+     "speed as a share of the one at which the largest particle centrifuges on the plate [-]"},
+    {"mill", "feed_rate_t_per_h", real, optional, "", positive, "",
+     "fresh feed, to report wear per tonne [t/h]"},
+
+    {"lifter", "material", name, required, "", any, "", "the liner's material"},
+    {"lifter", "plate_thickness_m", real, required, "", positive, "",
+     "thickness of the new plate between lifters [m]"},
+    {"lifter", "height_m", real, optional, "", positive, "",
+     "height of the lifter over the plate at its centre [m]"},
+    {"lifter", "top_width_m", real, optional, "", positive, "", "width of the lifter's top [m]"},
+    {"lifter", "leading_face_angle_deg", real, optional, "", between(0.0, 80.0), "",
+     "leading face against the radial direction, 0 upright [degrees]"},
+    {"lifter", "trailing_face_angle_deg", real, optional, "", between(0.0, 80.0), "",
+     "trailing face against the radial direction, 0 upright [degrees]"},
+    {"lifter", "straight_plate", boolean, defaulted, "false", any, "",
+     "plate between lifters as a straight line, as the 2006 paper drew it, in place of the arc"},
+    {"lifter", "profile_csv", file, optional, "", any, "",
+     "measured profile, columns `xi_m,eta_m`; path from this file's folder"},
+    {"lifter", "nodes_m", points, optional, "", between(-50.0, 50.0), "",
+     "the profile's nodes [[xi, eta], ...] from the trailing side to the leading one [m]"},
+
+    {"materials", "name", name, required, "", any, "", "1 to 64 of A-Z a-z 0-9 _ -"},
+    {"materials", "density_kg_per_m3", real, required, "", positive, "", "density [kg/m3]"},
+    {"materials", "shear_modulus_pa", real, required, "", positive, "",
+     "shear modulus as measured, before `modulus_reduction` [Pa]"},
+    {"materials", "poisson_ratio", real, required, "", between(0.0, 0.499), "",
+     "Poisson's ratio [-]"},
+
+    {"pairs", "materials", names, required, "", any, "", "the names of the two materials"},
+    {"pairs", "sliding_friction", real, required, "", between(0.0, 10.0), "",
+     "coefficient of sliding friction [-]"},
+    {"pairs", "rolling_friction", real, required, "", between(0.0, 10.0), "",
+     "coefficient of rolling friction [-]"},
+    {"pairs", "restitution", real, required, "", between(0.05, 1.0), "",
+     "coefficient of restitution [-]; LIGGGHTS takes none below 0.05"},
+
+    {"charge", "porosity", real, defaulted, "0.4", between(0.0, 0.9), "",
+     "voids of the charge at rest, share of its bulk volume [-]"},
+    {"charge", "truncate_below_m", real, defaulted, "0", at_least(0.0), "",
+     "sizes under this are left out; a distribution keeps its volume [m]"},
+    {"charge", "declared_total_filling", real, optional, "", above_up_to(0.0, 0.9), "",
+     "with counts: total filling the owner declares, compared with the counts' own [-]"},
+    {"charge", "declared_ball_filling", real, optional, "", above_up_to(0.0, 0.9), "",
+     "with counts: ball filling the owner declares [-]"},
+    {"charge", "total_filling", real, optional, "", above_up_to(0.0, 0.9), "",
+     "bulk volume of the whole charge, share of the volume inside the plate [-]"},
+    {"charge", "ball_filling", real, optional, "", above_up_to(0.0, 0.9), "",
+     "bulk volume of the balls, part of `total_filling`; with two distributions [-]"},
+    {"charge", "ball_material", name, optional, "", any, "",
+     "the distribution that gets `ball_filling`"},
+    {"charge", "ore_material", name, optional, "", any, "",
+     "the distribution that gets the rest of `total_filling`"},
+
+    {"charge.counts", "material", name, required, "", any, "", "material of the particles"},
+    {"charge.counts", "diameter_m", real, required, "", positive, "", "diameter [m]"},
+    {"charge.counts", "count", integer, required, "", between(1, 1e8), "",
+     "particles in the slice"},
+
+    {"charge.distributions", "material", name, required, "", any, "", "material of the particles"},
+    {"charge.distributions", "size_m", reals, required, "", positive, "",
+     "lower limit of each class, largest first, taken as the diameter [m]"},
+    {"charge.distributions", "retained_percent", reals, required, "", between(0.0, 100.0), "",
+     "share of the material's volume in each class; only the proportions count [%]"},
+
+    {"dem", "modulus_reduction", real, defaulted, "100", at_least(1.0), "",
+     "the shear moduli are divided by this, for a longer time step [-]"},
+    {"dem", "rayleigh_fraction", real, defaulted, "0.3", above_up_to(0.0, 0.5), "",
+     "time step as a share of the least Rayleigh time [-]"},
+    {"dem", "longest_time_step_s", real, optional, "", positive, "",
+     "the time step is never above this [s]"},
+    {"dem", "time_step_s", real, optional, "", positive, "",
+     "time step in place of `rayleigh_fraction`, cut so that a pitch takes whole steps [s]"},
+    {"dem", "rolling_friction_model", choice, defaulted, "\"cdt\"", any, "cdt|epsd2",
+     "rolling friction: constant torque, or elastic-plastic spring-dashpot"},
+    {"dem", "mix_revolutions", real, defaulted, "2", at_least(0.0), "",
+     "revolutions before the first measurement"},
+    {"dem", "settle_pitches", integer, defaulted, "2", between(0, 100000), "",
+     "pitches turned on a new mesh before the load is measured"},
+    {"dem", "measure_revolutions", real, defaulted, "1", positive, "",
+     "revolutions over which the load is measured"},
+    {"dem", "sample_every_steps", integer, defaulted, "20", between(1, 1000000), "",
+     "time steps between two samples of the wall contacts"},
+    {"dem", "ranks", integer, defaulted, "0", between(0, 100000), "",
+     "MPI ranks; 0 takes every core"},
+    {"dem", "skin_m", real, optional, "", positive, "",
+     "neighbour skin; a quarter of the mean radius where it is missing [m]"},
+    {"dem", "mesh_tolerance", real, defaulted, "0.03", above_up_to(0.0, 0.5), "",
+     "mesh against profile, share of the least particle radius [-]"},
+    {"dem", "seed", integer, defaulted, "1", between(1, 2147483647), "",
+     "seed of the first packing"},
+    {"dem", "keep_dumps", boolean, defaulted, "false", any, "", "keep the contact dumps"},
+
+    {"wear", "law", choice, defaulted, "\"archard\"", any, "archard", "the wear law"},
+    {"wear", "specific_wear_rate_per_pa", real, required, "", above_up_to(0.0, 1e-6), "",
+     "k = K/H of Archard's law dV/dt = k Fn |v_slip| [1/Pa]"},
+    {"wear", "bins", integer, defaulted, "120", between(100, 10000), "",
+     "bins along one pitch of the liner"},
+    {"wear", "time_blocks", integer, defaulted, "10", between(2, 1000), "",
+     "replicates of the load in one measurement"},
+
+    {"campaign", "scheme", choice, defaulted, "\"threshold\"", any, "threshold",
+     "how the next DEM is timed"},
+    {"campaign", "threshold", real, defaulted, "0.15", above_up_to(0.0, 1.0), "",
+     "worn share of the new lifter's volume per DEM load [-]"},
+    {"campaign", "steps_per_cycle", integer, defaulted, "5", between(1, 1000), "",
+     "geometry steps in which that share is taken"},
+    {"campaign", "height_limit_m", real, required, "", at_least(0.0), "",
+     "the liner is worn out at this lifter height [m]"},
+    {"campaign", "plate_limit_m", real, optional, "", at_least(0.0), "",
+     "... or at this least plate thickness; a tenth of `plate_thickness_m` where missing [m]"},
+    {"campaign", "cycle_limit", integer, defaulted, "50", between(1, 10000), "",
+     "the campaign stops after so many cycles"},
+};
+
+}  // namespace
+
+bool KeyRange::holds(double value) const {
+  return std::isfinite(value) && (above_low ? value > low : value >= low) && value <= high;
+}
+
+std::string KeyRange::text() const {
+  if (std::isinf(high)) {
+    return std::isinf(low) ? "" : fmt::format("{} {}", above_low ? "above" : "at least", low);
+  }
+  return above_low ? fmt::format("above {} and up to {}", low, high)
+                   : fmt::format("from {} to {}", low, high);
+}
+
+std::span<const TableSpec> case_tables() { return tables; }
+
+std::span<const KeySpec> case_keys() { return keys; }
+
+const KeySpec* find_key(std::string_view table, std::string_view key) {
+  const auto found = std::find_if(std::begin(keys), std::end(keys), [&](const KeySpec& spec) {
+    return spec.table == table && spec.key == key;
+  });
+  return found == std::end(keys) ? nullptr : found;
+}
+
+const TableSpec* find_table_spec(std::string_view table) {
+  const auto found = std::find_if(tables.begin(), tables.end(),
+                                  [&](const TableSpec& spec) { return spec.name == table; });
+  return found == tables.end() ? nullptr : &*found;
+}
+
+std::string table_heading(const TableSpec& table) {
+  if (table.name.empty()) {
+    return "the top of the file";
+  }
+  return table.repeats ? fmt::format("[[{}]]", table.name) : fmt::format("[{}]", table.name);
+}
+
+}  // namespace millwear

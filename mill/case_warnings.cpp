@@ -1,0 +1,61 @@
+#include "mill/case_warnings.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "mill/case_checks.h"
+#include "mill/liner_profile.h"
+
+namespace millwear {
+namespace {
+
+/// Relative difference of computed and declared filling that is not worth a word.
+constexpr double filling_tolerance = 0.1;
+
+}  // namespace
+
+double filling_inside_plate(const Case& mill) {
+  const double radius = mill.liner.sector.plate_radius;
+  const double inside = std::numbers::pi * radius * radius * mill.slice_length;
+  return totals(mill).solid_volume / (1.0 - mill.charge.porosity) / inside;
+}
+
+std::vector<std::string> warnings(const Case& mill) {
+  std::vector<std::string> texts;
+  const double largest = largest_diameter(mill);
+  const double smallest = smallest_diameter(mill);
+  if (const double fraction = critical_speed_fraction(mill); fraction > 1.0) {
+    texts.push_back(fmt::format(
+        "the mill turns above its critical speed ({:.3g} of it: particles of {:.3g} m centrifuge); "
+        "lower the speed below 1",
+        fraction, largest));
+  }
+  if (mill.slice_length < advised_slice_diameters * largest) {
+    texts.push_back(fmt::format(
+        "the slice is narrow ({:.3g} m, {:.3g} of its largest particles); {:.3g} m or "
+        "more would not hinder their packing",
+        mill.slice_length, mill.slice_length / largest, advised_slice_diameters * largest));
+  }
+  const double filling = filling_inside_plate(mill);
+  if (const auto declared = mill.charge.declared.total;
+      declared && std::abs(filling - *declared) > filling_tolerance * *declared) {
+    texts.push_back(fmt::format(
+        "the counts make {:.1f} % filling where {:.1f} % is declared ({} particles, {:.3g} m3 of "
+        "solid in {:.3g} m3 at porosity {}); mend the counts, or give the charge by filling",
+        100.0 * filling, 100.0 * *declared, totals(mill).particles, totals(mill).solid_volume,
+        totals(mill).solid_volume / (1.0 - mill.charge.porosity) / filling, mill.charge.porosity));
+  }
+  const double bin = arc_lengths(mill.liner).back() / mill.wear.bins;
+  if (bin > 0.25 * smallest) {
+    texts.push_back(
+        fmt::format("the wear bins are wide ({:.3g} mm, half the least particle radius is {:.3g} "
+                    "mm); {:.0f} or more would resolve single contacts",
+                    bin * 1e3, 0.25 * smallest * 1e3,
+                    std::ceil(arc_lengths(mill.liner).back() / (0.25 * smallest))));
+  }
+  return texts;
+}
+
+}  // namespace millwear

@@ -1,0 +1,28 @@
+#include "mill/mill_frame.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace millwear {
+
+double angle_from_six_oclock(double x, double z) {
+  const double angle = std::atan2(-x, -z);
+  return angle == -std::numbers::pi ? std::numbers::pi : angle;
+}
+
+MasterPoint to_master(const LinerSector& sector, double x, double z, double mill_angle) {
+  const double angle = angle_from_six_oclock(x, z) - mill_angle;
+  const double pitches = std::floor(angle / sector.pitch() + 0.5);
+  const double row = pitches - sector.rows * std::floor(pitches / sector.rows);
+  return {point_at(sector, std::hypot(x, z), angle - pitches * sector.pitch()),
+          static_cast<int>(row)};
+}
+
+Eigen::Vector2d to_mill(const LinerSector& sector, const Eigen::Vector2d& point, int row,
+                        double mill_angle) {
+  const double radius = radius_of(sector, point);
+  const double angle = angle_of(sector, point) + row * sector.pitch() + mill_angle;
+  return {-radius * std::sin(angle), -radius * std::cos(angle)};
+}
+
+}  // namespace millwear

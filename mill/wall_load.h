@@ -1,0 +1,46 @@
+#pragma once
+#include <Eigen/Core>
+#include <array>
+#include <string_view>
+#include <vector>
+
+namespace millwear {
+
+/// What is accumulated on every bin of the liner. Rates are integrated over simulated time and
+/// summed over all lifters and the whole slice length.
+enum class Measure {
+  samples,             ///< contacts seen in samples [-]
+  normal_impulse,      ///< int Fn dt [N s]
+  sliding_work,        ///< int Fn |v_slip| dt [J]
+  normal_dissipation,  ///< int Fn v_n dt, v_n the closing speed [J]
+};
+inline constexpr std::size_t measure_count = 4;
+inline constexpr std::array<std::string_view, measure_count> measure_names = {
+    "samples", "normal_impulse", "sliding_work", "normal_dissipation"};
+inline constexpr std::array<std::string_view, measure_count> measure_units = {"1", "N s", "J", "J"};
+
+/// The load on the master lifter by bin, particle class and time block.
+struct WallLoad {
+  double slice_length;        ///< [m]
+  int rows;                   ///< lifters summed over
+  double duration;            ///< simulated time measured [s]
+  Eigen::VectorXd bin_edges;  ///< arc length along the profile [m], size bins + 1, from 0
+  std::size_t class_count;
+  std::size_t block_count;
+  /// values[measure](bin, particle_class * block_count + block)
+  std::array<Eigen::MatrixXd, measure_count> values;
+  /// the same measures of contacts that no bin took
+  std::array<double, measure_count> rejected;
+
+  [[nodiscard]] Eigen::Index bins() const { return bin_edges.size() - 1; }
+  /// Width of every bin along the profile [m], size bins().
+  [[nodiscard]] Eigen::VectorXd bin_widths() const;
+  /// Surface of every bin on one lifter [m2], size bins().
+  [[nodiscard]] Eigen::VectorXd bin_area() const;
+  /// Sum over classes and blocks, size bins().
+  [[nodiscard]] Eigen::VectorXd total(Measure measure) const;
+  /// Sum over classes, bins() x block_count.
+  [[nodiscard]] Eigen::MatrixXd by_block(Measure measure) const;
+};
+
+}  // namespace millwear

@@ -1,0 +1,140 @@
+const tip = document.getElementById("tip");
+
+/** Shows `title` and [label, value] lines beside the pointer, inside the window. */
+function showTip(event, title, lines) {
+  const table = element("table", {}, ...lines.map(([label, value]) =>
+    element("tr", {}, element("td", {}, label), element("td", {}, value))));
+  tip.replaceChildren(element("b", {}, title), table);
+  tip.hidden = false;
+  const box = tip.getBoundingClientRect();
+  const right = event.clientX + 16 + box.width < innerWidth;
+  tip.style.left = Math.max(4, right ? event.clientX + 16 : event.clientX - 16 - box.width) + "px";
+  tip.style.top = Math.min(event.clientY + 14, innerHeight - box.height - 4) + "px";
+}
+
+const hideTip = () => { tip.hidden = true; };
+
+/** Calls draw(container, width [px]) now and whenever the width of the container changes. */
+function responsive(container, draw) {
+  let drawn = 0;
+  const redraw = () => {
+    const width = Math.round(container.getBoundingClientRect().width);
+    if (width < 50 || width === drawn) return;
+    drawn = width;
+    container.replaceChildren();
+    draw(container, width);
+  };
+  redraw();
+  new ResizeObserver(redraw).observe(container);
+}
+
+function nothing(container, words) {
+  container.replaceChildren(element("p", {class: "nothing"}, words));
+}
+
+function canvas(container, width, height, name) {
+  return d3.select(container).append("svg").attr("viewBox", `0 0 ${width} ${height}`)
+    .attr("role", "img").attr("aria-label", name);
+}
+
+function key(container, series) {
+  const named = series.filter((one) => one.name);
+  if (!named.length) return;
+  const line = container.appendChild(element("p", {class: "key"}));
+  for (const one of named)
+    line.append(element("span", {}, element("i", {class: one.style || "", style:
+      one.style === "block" ? `background:${one.colour}` : `border-color:${one.colour}`}), one.name));
+}
+
+function padded(extent, zero) {
+  let [low, high] = extent;
+  if (zero) { low = Math.min(low, 0); high = Math.max(high, 0); }
+  const room = (high - low || Math.abs(high) || 1) * 0.08;
+  return [zero && low === 0 ? 0 : low - room, zero && high === 0 ? 0 : high + room];
+}
+
+function axes(svg, frame, x, y, labels) {
+  const below = svg.append("g").attr("class", "axis").attr("transform", `translate(0,${frame.bottom})`)
+    .call(d3.svg.axis().scale(x).orient("bottom").ticks(Math.max(3, Math.floor((frame.right - frame.left) / 90)))
+      .tickSize(5, 0).tickPadding(6));
+  const upright = d3.svg.axis().scale(y).orient("left").ticks(Math.max(3, Math.floor((frame.bottom - frame.top) / 45)))
+    .tickSize(-(frame.right - frame.left), 0).tickPadding(8);
+  if (y.domain()[1] >= 1e5) upright.tickFormat(d3.format("s"));
+  const left = svg.append("g").attr("class", "axis").attr("transform", `translate(${frame.left},0)`).call(upright);
+  for (const axis of [below, left])
+    axis.selectAll("text").each(function () { this.textContent = this.textContent.replace("-", "−"); });
+  svg.append("line").attr({class: "baseline", x1: frame.left, x2: frame.right, y1: frame.bottom, y2: frame.bottom});
+  svg.append("text").attr({x: frame.right, y: labels.y, "text-anchor": "end"}).text(labels.x);
+  svg.append("text").attr({x: 0, y: 12}).text(labels.value);
+}
+
+function drawSeries(svg, series, x, y) {
+  const points = series.points.filter((point) => known(point.x) && known(point.y));
+  if (series.style === "dots") {
+    svg.append("g").selectAll("circle").data(points).enter().append("circle")
+      .attr({cx: (p) => x(p.x), cy: (p) => y(p.y), r: 4.5, fill: "#fff", stroke: series.colour, "stroke-width": 2});
+    return;
+  }
+  svg.append("path").datum(series.points).attr("class", "series " + (series.style || ""))
+    .style("stroke", series.colour)
+    .attr("d", d3.svg.line().defined((p) => known(p.x) && known(p.y)).x((p) => x(p.x)).y((p) => y(p.y)));
+  svg.append("g").selectAll("line").data(points.filter((p) => known(p.error))).enter().append("line")
+    .attr({class: "error", x1: (p) => x(p.x), x2: (p) => x(p.x), y1: (p) => Math.min(y(p.y - p.error), y.range()[0]),
+      y2: (p) => y(p.y + p.error)}).style("stroke", series.colour);
+  if (series.marks)
+    svg.append("g").selectAll("circle").data(points).enter().append("circle")
+      .attr({cx: (p) => x(p.x), cy: (p) => y(p.y), r: 2.6, fill: series.colour});
+}
+
+/** Shows the values of every series at the place nearest to the pointer along x. */
+function follow(svg, frame, x, y, spec) {
+  const places = d3.set(d3.merge(spec.series.map((series) => series.points.map((p) => p.x)))).values().map(Number)
+    .sort(d3.ascending);
+  const cursor = svg.append("line").attr({class: "cursor", y1: frame.top, y2: frame.bottom})
+    .style("display", "none");
+  const leave = () => { cursor.style("display", "none"); hideTip(); if (spec.onLeave) spec.onLeave(); };
+  svg.append("rect").attr({class: "catch", x: frame.left, y: frame.top, width: frame.right - frame.left,
+    height: frame.bottom - frame.top}).on("mousemove", function () {
+    const wanted = x.invert(d3.mouse(this)[0]);
+    const after = d3.bisectLeft(places, wanted);
+    const place = after > 0 && (after === places.length || wanted - places[after - 1] < places[after] - wanted)
+      ? places[after - 1] : places[after];
+    cursor.style("display", null).attr({x1: x(place), x2: x(place)});
+    const lines = [];
+    for (const series of spec.series) {
+      const point = series.points.find((candidate) => candidate.x === place && known(candidate.y));
+      if (point) lines.push([series.label || series.name || spec.name, spec.text(point)]);
+    }
+    showTip(d3.event, spec.place(place), lines);
+    if (spec.onPlace) spec.onPlace(place);
+  }).on("mouseleave", leave);
+}
+
+/**
+ * A chart of lines and points. spec: name, x and value (axis labels), series [{name, colour, style, marks,
+ * points: [{x, y, error}]}], rules [{y, text}], zero (y from 0), span (x from, to), place(x), text(point).
+ */
+function lineChart(container, spec) {
+  const all = d3.merge(spec.series.map((series) => series.points)).filter((p) => known(p.x) && known(p.y));
+  if (!all.length) { nothing(container, "Not recorded in this run."); return; }
+  responsive(container, (place, width) => {
+    key(place, spec.series);
+    const strip = spec.strip ? spec.strip.height : 0;
+    const height = (spec.height || 270) + strip;
+    const frame = {left: 52, right: width - 6, top: 24, bottom: height - 44 - strip};
+    const svg = canvas(place, width, height, spec.name);
+    const x = d3.scale.linear().domain(spec.span || d3.extent(all, (p) => p.x)).range([frame.left, frame.right]);
+    const floor = spec.zero && d3.min(all, (p) => p.y) >= 0 ? 0 : -Infinity;
+    const reach = d3.extent(d3.merge([all.map((p) => p.y + (p.error || 0)),
+      all.map((p) => Math.max(floor, p.y - (p.error || 0))), (spec.rules || []).map((rule) => rule.y)]));
+    const y = d3.scale.linear().domain(padded(reach, spec.zero)).range([frame.bottom, frame.top]);
+    axes(svg, frame, x, y, {x: spec.x, value: spec.value, y: frame.bottom + strip + 38});
+    if (spec.strip) spec.strip.draw(svg, frame, x);
+    for (const rule of spec.rules || []) {
+      svg.append("line").attr({class: "rule", x1: frame.left, x2: frame.right, y1: y(rule.y), y2: y(rule.y)});
+      svg.append("text").attr({x: frame.left + 6, y: y(rule.y) - 5}).text(rule.text);
+    }
+    for (const series of spec.series) drawSeries(svg, series, x, y);
+    follow(svg, frame, x, y, spec);
+  });
+}

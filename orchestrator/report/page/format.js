@@ -1,0 +1,55 @@
+"use strict";
+
+const data = JSON.parse(document.getElementById("data").textContent);
+
+const known = (value) => value !== null && value !== undefined && isFinite(value);
+const grouped = d3.format(",.0f");
+const fixed = (digits) => (value) => known(value) ? d3.format(",." + digits + "f")(value).replace("-", "−") : "–";
+const significant = (digits) => (value) => {
+  if (!known(value)) return "–";
+  if (value === 0) return "0";
+  const size = Math.abs(value);
+  if (size < 1e-3 || size >= 1e7) return value.toExponential(digits - 1).replace(/-/g, "−");
+  return fixed(Math.max(0, digits - 1 - Math.floor(Math.log(size) / Math.LN10)))(value);
+};
+const hoursText = (hours) => grouped(hours) + " h";
+const inMillimetres = (metres) => known(metres) ? 1e3 * metres : null;
+const inDegrees = (radians) => known(radians) ? radians * 180 / Math.PI : null;
+const inPercent = (share) => known(share) ? 1e2 * share : null;
+
+/** Mass with the unit that keeps it short: [value, unit]. */
+function massText(tonnes) {
+  if (tonnes >= 1e6) return [significant(3)(tonnes / 1e6), "Mt"];
+  if (tonnes >= 1e4) return [significant(3)(tonnes / 1e3), "kt"];
+  return [grouped(tonnes), "t"];
+}
+
+/** The prefixed unit in which the largest of `values` has one to three digits before the point. */
+function prefixed(values, unit) {
+  const largest = d3.max(values.filter(known), Math.abs) || 1;
+  const steps = [[1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "µ"], [1e-9, "n"]];
+  const [factor, prefix] = steps.find(([size]) => largest >= size) || steps[steps.length - 1];
+  return {factor, unit: prefix + unit};
+}
+
+function element(name, attributes, ...children) {
+  const made = document.createElement(name);
+  for (const [key, value] of Object.entries(attributes || {})) made.setAttribute(key, value);
+  made.append(...children.map((child) => child instanceof Node ? child : String(child)));
+  return made;
+}
+
+/** Colour of the liner's age: dark blue when new, over teal and ochre to rust when worn. */
+const ageColour = d3.scale.linear()
+  .domain([0, 0.33, 0.66, 1].map((share) => share * (d3.max(data.history, (row) => row.operating_hours) || 1)))
+  .range(["#16365c", "#2c8a93", "#d9a032", "#a8321c"]).interpolate(d3.interpolateLab).clamp(true);
+
+const historyOf = (cycle, step) => data.history.find((row) => row.cycle === cycle && row.step === step);
+/** The outline that the load of this cycle was measured on, in (xi, eta) [m]. */
+function outlineOf(load) {
+  const before = data.profiles.filter((profile) => profile.operating_hours <= ageOfCycle(load.cycle) + 1e-6);
+  return before.length ? before[before.length - 1].nodes : load.centres;
+}
+
+/** Hours on the liner when the load of this cycle was measured. */
+const ageOfCycle = (cycle) => (data.charges.find((charge) => charge.cycle === cycle) || {operating_hours: 0}).operating_hours;

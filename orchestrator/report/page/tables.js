@@ -1,0 +1,59 @@
+function fillList(id, lines) {
+  const list = document.getElementById(id);
+  for (const [name, value] of lines)
+    list.append(element("div", {}, element("dt", {}, name), element("dd", {}, value)));
+}
+
+/** columns: [{head, unit, text(row)}]; a row where starts(row, before) is true gets a line above it. */
+function fillTable(id, rows, columns, starts) {
+  const place = document.getElementById(id);
+  if (!rows.length) { nothing(place, "Nothing was published yet."); return; }
+  const head = element("tr", {}, ...columns.map((column) =>
+    element("th", {scope: "col"}, column.head, element("small", {}, column.unit || "\u00a0"))));
+  const body = rows.map((row, i) => element("tr", {class: i && starts(row, rows[i - 1]) ? "first" : ""},
+    ...columns.map((column) => element("td", {class: column.se ? "se" : ""}, column.text(row)))));
+  place.append(element("table", {}, element("thead", {}, head), element("tbody", {}, ...body)));
+}
+
+function fillHistory() {
+  const scale = prefixed(data.history.map((row) => row.power), "W");
+  const per = (value) => known(value) ? value / scale.factor : null;
+  const columns = [
+    {head: "Cycle", text: (row) => row.cycle},
+    {head: "Step", text: (row) => row.step},
+    {head: "Operating time", unit: "h", text: (row) => fixed(0)(row.operating_hours)},
+    {head: "Milled", unit: "t", text: (row) => fixed(0)(row.tonnes)},
+    {head: "Lifter height", unit: "mm", text: (row) => fixed(1)(inMillimetres(row.lifter_height))},
+    {head: "Leading face", unit: "°", text: (row) => fixed(1)(inDegrees(row.face_angle))},
+    {head: "Thinnest plate", unit: "mm", text: (row) => fixed(1)(inMillimetres(row.plate_thickness))},
+    {head: "Worn section", unit: "cm²", text: (row) => fixed(1)(known(row.worn_volume) ? 1e4 * row.worn_volume : null)},
+    {head: "Worn share", unit: "%", text: (row) => fixed(1)(inPercent(row.worn_fraction))},
+    {head: "Power", unit: scale.unit, text: (row) => fixed(2)(per(row.power))},
+    {head: "±", unit: scale.unit, se: true, text: (row) => significant(2)(per(row.power_error))},
+    {head: "Shoulder", unit: "°", text: (row) => fixed(1)(inDegrees(row.shoulder))},
+    {head: "±", unit: "°", se: true, text: (row) => significant(2)(inDegrees(row.shoulder_error))},
+    {head: "Toe", unit: "°", text: (row) => fixed(1)(inDegrees(row.toe))},
+    {head: "±", unit: "°", se: true, text: (row) => significant(2)(inDegrees(row.toe_error))},
+  ].filter((column) => column.head === "Cycle" || data.history.some((row) => column.text(row) !== "–"));
+  fillTable("history-table", data.history, columns, (row, before) => row.cycle !== before.cycle);
+}
+
+function fillConservation() {
+  const off = (row) => row.accounted ? Math.abs(row.removed - row.accounted) / row.accounted : null;
+  fillTable("conservation-table", data.conservation, [
+    {head: "Cycle", text: (row) => row.cycle},
+    {head: "Removed from the profile", unit: "cm²", text: (row) => significant(7)(1e4 * row.removed)},
+    {head: "Accounted for by the load", unit: "cm²", text: (row) => significant(7)(1e4 * row.accounted)},
+    {head: "Difference", unit: "share", text: (row) => significant(2)(off(row))},
+    {head: "Carried by smoothing", unit: "%", text: (row) => fixed(2)(inPercent(row.moved_by_smoothing))},
+    {head: "Contacts in no bin", unit: "%", text: (row) => fixed(3)(inPercent(row.rejected))},
+  ], () => false);
+}
+
+function fillWarnings() {
+  const list = document.getElementById("warning-list");
+  if (!data.warnings.length) { list.replaceWith(element("p", {class: "nothing"}, "None.")); return; }
+  for (const words of data.warnings) list.append(element("li", {}, words));
+  const many = data.warnings.length === 1 ? "One warning" : `${data.warnings.length} warnings`;
+  document.getElementById("notice").append(element("a", {href: "#warnings"}, `${many} to read with these figures`));
+}

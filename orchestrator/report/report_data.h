@@ -1,0 +1,87 @@
+#pragma once
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "mill/liner_profile.h"
+#include "orchestrator/results/history.h"
+#include "orchestrator/results/profiles.h"
+
+namespace millwear::orchestrator {
+
+/// A line of a table of words.
+struct LabelledValue {
+  std::string label;
+  std::string value;
+};
+
+/// The answer of a campaign. NaN where a figure is not known.
+struct Life {
+  bool reached;      ///< false while the liner is not worn out
+  double hours;      ///< life [h]; hours so far where it is not reached
+  double hours_low;  ///< band of the life [h]
+  double hours_high;
+  double tonnes;      ///< milled by then [t]
+  std::string limit;  ///< what ends it, e.g. "lifter height 60 mm"
+};
+
+/// One measure along the profile, a value a bin. Any vector may be empty.
+struct LoadLine {
+  std::vector<double> raw;             ///< as accumulated
+  std::vector<double> standard_error;  ///< of `raw`, from the time blocks
+  std::vector<double> smoothed;
+};
+
+/// The load of one cycle on the master lifter.
+struct LoadAlongProfile {
+  int cycle;
+  std::vector<double> arc_length;        ///< of bin centres from the trailing sector edge [m]
+  std::vector<double> width;             ///< of bins [m]
+  std::vector<Eigen::Vector2d> centres;  ///< of bins, master frame (xi, eta) [m]
+  LoadLine contacts;                     ///< contact samples per metre of profile [1/m]
+  LoadLine normal_dissipation;           ///< int Fn v_n dt per lifter surface and time [W/m2]
+  LoadLine sliding_work;                 ///< int Fn |v_slip| dt per lifter surface and time [W/m2]
+  LoadLine depth_rate;                   ///< wear depth per running time [m/s]
+};
+
+/// Power drawn during one measurement, a value a time block.
+struct PowerSeries {
+  int cycle;
+  std::vector<double> time;   ///< middle of the block since the measurement began [s]
+  std::vector<double> power;  ///< mean over the block, of the simulated slice [W]
+};
+
+/// What one cycle took from the liner against what its load accounts for.
+struct Conservation {
+  int cycle;
+  double removed;             ///< by moving the profile [m3/m]
+  double accounted;           ///< sum over bins of the wear law [m3/m]
+  double moved_by_smoothing;  ///< share of it that smoothing carried to another place [-]
+  double rejected;            ///< share of the contacts that no bin took [-]
+};
+
+/// A lifter height that a gauge read, to hold the prediction against.
+struct MeasuredHeight {
+  double operating_hours;  ///< [h]
+  double height;           ///< [m]
+};
+
+/// All that `report.html` shows. Vectors are in the order of the campaign; any may be empty.
+struct ReportData {
+  std::string case_name;
+  std::vector<LabelledValue> description;
+  Life life;
+  LinerSector sector;
+  double height_limit;  ///< [m], NaN for none
+  double plate_limit;   ///< [m], NaN for none
+  std::vector<HistoryRow> history;
+  std::vector<ProfileRow> profiles;
+  std::vector<LoadAlongProfile> loads;
+  std::vector<PowerSeries> power;
+  std::vector<Conservation> conservation;
+  std::vector<MeasuredHeight> measured;
+  std::vector<std::string> warnings;
+  std::vector<LabelledValue> provenance;
+};
+
+}  // namespace millwear::orchestrator

@@ -1,0 +1,130 @@
+#include "orchestrator/report/report_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include "orchestrator/report/measured_charge.h"
+
+namespace millwear::orchestrator {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class T, class Convert>
+Json array_of(const std::vector<T>& items, Convert convert) {
+  Json array = Json::array();
+  for (const auto& item : items) array.push_back(convert(item));
+  return array;
+}
+
+Json json_of(const std::vector<Eigen::Vector2d>& points) {
+  return array_of(points, [](const auto& p) { return Json::array({p.x(), p.y()}); });
+}
+
+Json json_of(const LabelledValue& line) { return Json::array({line.label, line.value}); }
+
+Json json_of(const Life& life) {
+  return {{"reached", life.reached},       {"hours", life.hours},   {"hours_low", life.hours_low},
+          {"hours_high", life.hours_high}, {"tonnes", life.tonnes}, {"limit", life.limit}};
+}
+
+Json json_of(const HistoryRow& row) {
+  return {{"cycle", row.cycle},
+          {"step", row.step},
+          {"operating_hours", row.operating_hours},
+          {"tonnes", row.tonnes},
+          {"lifter_height", row.lifter_height},
+          {"face_angle", row.face_angle},
+          {"plate_thickness", row.plate_thickness},
+          {"worn_volume", row.worn_volume},
+          {"worn_fraction", row.worn_fraction},
+          {"power", row.power},
+          {"power_error", row.power_error},
+          {"shoulder", row.shoulder},
+          {"shoulder_error", row.shoulder_error},
+          {"toe", row.toe},
+          {"toe_error", row.toe_error}};
+}
+
+Json json_of(const MeasuredCharge& charge) {
+  return {{"cycle", charge.cycle},       {"operating_hours", charge.operating_hours},
+          {"power", charge.power},       {"power_error", charge.power_error},
+          {"shoulder", charge.shoulder}, {"shoulder_error", charge.shoulder_error},
+          {"toe", charge.toe},           {"toe_error", charge.toe_error}};
+}
+
+Json json_of(const ProfileRow& row) {
+  return {{"cycle", row.cycle},
+          {"step", row.step},
+          {"operating_hours", row.operating_hours},
+          {"nodes", json_of(row.nodes)}};
+}
+
+Json json_of(const LoadLine& line) {
+  return {{"raw", line.raw}, {"standard_error", line.standard_error}, {"smoothed", line.smoothed}};
+}
+
+Json json_of(const LoadAlongProfile& load) {
+  return {{"cycle", load.cycle},
+          {"arc_length", load.arc_length},
+          {"width", load.width},
+          {"centres", json_of(load.centres)},
+          {"contacts", json_of(load.contacts)},
+          {"normal_dissipation", json_of(load.normal_dissipation)},
+          {"sliding_work", json_of(load.sliding_work)},
+          {"depth_rate", json_of(load.depth_rate)}};
+}
+
+Json json_of(const PowerSeries& series) {
+  return {{"cycle", series.cycle}, {"time", series.time}, {"power", series.power}};
+}
+
+Json json_of(const Conservation& balance) {
+  return {{"cycle", balance.cycle},
+          {"removed", balance.removed},
+          {"accounted", balance.accounted},
+          {"moved_by_smoothing", balance.moved_by_smoothing},
+          {"rejected", balance.rejected}};
+}
+
+Json json_of(const MeasuredHeight& measured) {
+  return {{"operating_hours", measured.operating_hours}, {"height", measured.height}};
+}
+
+Json json_of(const LinerSector& sector) {
+  return {{"shell_radius", sector.shell_radius},
+          {"plate_radius", sector.plate_radius},
+          {"rows", sector.rows}};
+}
+
+template <class T>
+Json all(const std::vector<T>& items) {
+  return array_of(items, [](const T& item) { return json_of(item); });
+}
+
+std::string inside_script(const std::string& json) {
+  std::string text;
+  text.reserve(json.size());
+  for (const char c : json)
+    if (c == '<')
+      text += "\\u003c";
+    else
+      text += c;
+  return text;
+}
+
+}  // namespace
+
+std::string report_json(const ReportData& data) {
+  const Json json = {
+      {"case_name", data.case_name},       {"description", all(data.description)},
+      {"life", json_of(data.life)},        {"sector", json_of(data.sector)},
+      {"height_limit", data.height_limit}, {"plate_limit", data.plate_limit},
+      {"history", all(data.history)},      {"charges", all(measured_charges(data.history))},
+      {"profiles", all(data.profiles)},    {"loads", all(data.loads)},
+      {"power", all(data.power)},          {"conservation", all(data.conservation)},
+      {"measured", all(data.measured)},    {"warnings", data.warnings},
+      {"provenance", all(data.provenance)}};
+  return inside_script(json.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+}  // namespace millwear::orchestrator

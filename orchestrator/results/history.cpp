@@ -1,0 +1,54 @@
+#include "orchestrator/results/history.h"
+
+#include <fmt/format.h>
+
+#include "orchestrator/results/csv.h"
+
+namespace millwear::orchestrator {
+namespace {
+
+constexpr CsvFormat format{
+    "millwear history 1",
+    "cycle,step,operating_hours,tonnes,lifter_height_m,face_angle_deg,plate_thickness_m,"
+    "worn_volume_m3_per_m,worn_fraction,power_w,shoulder_deg,toe_deg,"
+    "power_w_se,shoulder_deg_se,toe_deg_se"};
+
+}  // namespace
+
+std::string history_csv(const std::vector<HistoryRow>& rows) {
+  std::string text = csv_head(format);
+  for (const auto& row : rows)
+    text += fmt::format(
+        "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", row.cycle, row.step,
+        csv_number(row.operating_hours), csv_number(row.tonnes), csv_number(row.lifter_height),
+        csv_degrees(row.face_angle), csv_number(row.plate_thickness), csv_number(row.worn_volume),
+        csv_number(row.worn_fraction), csv_number(row.power), csv_degrees(row.shoulder),
+        csv_degrees(row.toe), csv_number(row.power_error), csv_degrees(row.shoulder_error),
+        csv_degrees(row.toe_error));
+  return text;
+}
+
+std::vector<HistoryRow> read_history_csv(const std::filesystem::path& path) {
+  std::vector<HistoryRow> rows;
+  for (const auto& line : read_csv(path, format)) {
+    CsvFields fields(path, line);
+    rows.push_back({.cycle = fields.integer(),
+                    .step = fields.integer(),
+                    .operating_hours = fields.number(),
+                    .tonnes = fields.number(),
+                    .lifter_height = fields.number(),
+                    .face_angle = fields.degrees(),
+                    .plate_thickness = fields.number(),
+                    .worn_volume = fields.number(),
+                    .worn_fraction = fields.number(),
+                    .power = fields.number(),
+                    .shoulder = fields.degrees(),
+                    .toe = fields.degrees(),
+                    .power_error = fields.number(),
+                    .shoulder_error = fields.degrees(),
+                    .toe_error = fields.degrees()});
+  }
+  return rows;
+}
+
+}  // namespace millwear::orchestrator

@@ -1,0 +1,34 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace millwear::orchestrator {
+
+/// The liner after one geometry step, and what the charge did on the load that the step was taken
+/// on. NaN where a value is not known (no feed rate, no standard error).
+struct HistoryRow {
+  int cycle;
+  int step;
+  double operating_hours;  ///< since the liner was new [h]
+  double tonnes;           ///< milled since then [t]
+  double lifter_height;    ///< [m]
+  double face_angle;       ///< leading face against the radial direction [rad]
+  double plate_thickness;  ///< least steel over the shell [m]
+  double worn_volume;      ///< per lifter and metre of mill, since new [m3/m]
+  double worn_fraction;    ///< of the new lifter's volume, since new [-]
+  double power;            ///< drawn by the simulated slice [W]
+  double shoulder;         ///< from three o'clock on the rising side, along the rotation [rad]
+  double toe;              ///< likewise [rad]
+  double power_error;      ///< standard errors, in the units of their values
+  double shoulder_error;
+  double toe_error;
+};
+
+/// The bytes of `history.csv`; the same rows always give the same bytes.
+[[nodiscard]] std::string history_csv(const std::vector<HistoryRow>& rows);
+
+/// Reads `history.csv` back. Throws DiskError or ResultRejected (file:line).
+[[nodiscard]] std::vector<HistoryRow> read_history_csv(const std::filesystem::path& path);
+
+}  // namespace millwear::orchestrator

@@ -1,0 +1,24 @@
+#pragma once
+#include <Eigen/Core>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace millwear::orchestrator {
+
+/// The liner's surface after one geometry step, in the master frame (see mill/liner_profile.h).
+struct ProfileRow {
+  int cycle;
+  int step;
+  double operating_hours;              ///< since the liner was new [h]
+  std::vector<Eigen::Vector2d> nodes;  ///< (xi, eta) [m]
+};
+
+/// The bytes of `profiles.csv`, a line a node; the same rows always give the same bytes.
+[[nodiscard]] std::string profiles_csv(const std::vector<ProfileRow>& rows);
+
+/// Reads `profiles.csv` back. Throws DiskError or ResultRejected (file:line), also where the nodes
+/// of a profile are not numbered 0, 1, 2, ...
+[[nodiscard]] std::vector<ProfileRow> read_profiles_csv(const std::filesystem::path& path);
+
+}  // namespace millwear::orchestrator

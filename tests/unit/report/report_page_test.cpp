@@ -1,0 +1,78 @@
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "orchestrator/report/report.h"
+#include "orchestrator/results/published_file.h"
+#include "tests/unit/report/synthetic_campaign.h"
+
+namespace millwear::orchestrator {
+namespace {
+
+/// The page's elements after its scripts have run in a browser without a window.
+std::string drawn(const std::string& page, const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  publish(folder / "report.html", page);
+  const std::string command =
+      std::string(CHROMIUM) +
+      " --headless --no-sandbox --disable-gpu --disable-quic --no-first-run"
+      " --disable-background-networking --disable-component-update --disable-sync"
+      " --user-data-dir=" +
+      (folder / "browser").string() +
+      " --window-size=1280,3000 --virtual-time-budget=4000 --dump-dom file://" +
+      (folder / "report.html").string() + " 2>/dev/null";
+  const std::unique_ptr<FILE, int (*)(FILE*)> output(::popen(command.c_str(), "r"), ::pclose);
+  std::string text;
+  std::array<char, 65536> part{};
+  while (const auto count = std::fread(part.data(), 1, part.size(), output.get()))
+    text.append(part.data(), count);
+  return text;
+}
+
+std::size_t count_of(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+class ReportPage : public ::testing::Test {
+ protected:
+  void TearDown() override { std::filesystem::remove_all(folder); }
+
+  const std::filesystem::path folder =
+      std::filesystem::path(::testing::TempDir()) / ("report_page_" + std::to_string(::getpid()));
+};
+
+std::string part_between(const std::string& text, const std::string& from, const std::string& to) {
+  const auto start = text.find(from);
+  return start == std::string::npos ? "" : text.substr(start, text.find(to, start) - start);
+}
+
+// 3 cycles of 2 steps and the new liner: 7 profiles and 7 rows; 120 bins.
+TEST_F(ReportPage, DrawsEveryProfileBinAndRow) {
+  const auto page = drawn(report_html(synthetic_campaign(3, 2)), folder);
+  const auto over_time = part_between(page, "id=\"profiles-over-time\"", "<figcaption");
+  EXPECT_EQ(count_of(over_time, "class=\"profile"), 7u);
+  EXPECT_EQ(count_of(part_between(page, "id=\"bins-drawing\"", "<figcaption"), "<circle"), 120u);
+  EXPECT_EQ(count_of(part_between(page, "id=\"history-table\"", "</section>"), "<tr"), 8u);
+  EXPECT_EQ(count_of(part_between(page, "id=\"load-cycle\"", "</select>"), "<option"), 3u);
+  EXPECT_EQ(count_of(page, "NaN"), count_of(report_html(synthetic_campaign(3, 2)), "NaN"));
+}
+
+// A campaign before its first result: the page still says what it is and draws nothing.
+TEST_F(ReportPage, OfAnEmptyCampaignSaysSo) {
+  auto campaign = synthetic_campaign(0, 1);
+  campaign.measured.clear();
+  const auto page = drawn(report_html(campaign), folder);
+  EXPECT_NE(page.find("No profile was published yet."), std::string::npos);
+  EXPECT_NE(page.find("The liner has not been worn yet."), std::string::npos);
+  EXPECT_EQ(count_of(part_between(page, "<main>", "</main>"), "<svg"), 0u);
+}
+
+}  // namespace
+}  // namespace millwear::orchestrator

@@ -1,0 +1,161 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <numbers>
+
+#include "mill/failure.h"
+#include "orchestrator/results/history.h"
+#include "orchestrator/results/profiles.h"
+
+namespace millwear::orchestrator {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double degree = std::numbers::pi / 180.0;
+
+class ResultsCsv : public ::testing::Test {
+ protected:
+  void TearDown() override { std::filesystem::remove(file); }
+  void write(const std::string& text) const { std::ofstream(file, std::ios::binary) << text; }
+
+  const std::filesystem::path file =
+      std::filesystem::path(::testing::TempDir()) /
+      (std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()) + ".csv");
+};
+
+HistoryRow example_row() {
+  return {.cycle = 3,
+          .step = 2,
+          .operating_hours = 1.0 / 3.0,
+          .tonnes = unknown,
+          .lifter_height = 0.215,
+          .face_angle = 12.5 * degree,
+          .plate_thickness = 0.0995,
+          .worn_volume = 1e-7,
+          .worn_fraction = 0.1,
+          .power = 161250.0,
+          .shoulder = 52.0 * degree,
+          .toe = 221.5 * degree,
+          .power_error = 1400.0,
+          .shoulder_error = 0.7 * degree,
+          .toe_error = unknown};
+}
+
+template <class Read>
+std::string refusal(Read read) {
+  try {
+    read();
+  } catch (const ResultRejected& error) {
+    return error.what();
+  }
+  return "not refused";
+}
+
+TEST_F(ResultsCsv, HistoryIsWrittenInTheUnitsOfItsColumns) {
+  EXPECT_EQ(history_csv({example_row()}),
+            "# millwear history 1\n"
+            "cycle,step,operating_hours,tonnes,lifter_height_m,face_angle_deg,plate_thickness_m,"
+            "worn_volume_m3_per_m,worn_fraction,power_w,shoulder_deg,toe_deg,"
+            "power_w_se,shoulder_deg_se,toe_deg_se\n"
+            "3,2,0.3333333333333333,,0.215,12.5,0.0995,1e-07,0.1,161250,52,221.5,1400,0.7,\n");
+}
+
+TEST_F(ResultsCsv, HistoryReadsBackAsItWas) {
+  write(history_csv({example_row()}));
+  const auto rows = read_history_csv(file);
+  ASSERT_EQ(rows.size(), 1u);
+  const auto wanted = example_row();
+  EXPECT_EQ(rows[0].cycle, wanted.cycle);
+  EXPECT_EQ(rows[0].step, wanted.step);
+  EXPECT_EQ(rows[0].operating_hours, wanted.operating_hours);
+  EXPECT_TRUE(std::isnan(rows[0].tonnes));
+  EXPECT_EQ(rows[0].lifter_height, wanted.lifter_height);
+  EXPECT_DOUBLE_EQ(rows[0].face_angle, wanted.face_angle);
+  EXPECT_EQ(rows[0].plate_thickness, wanted.plate_thickness);
+  EXPECT_EQ(rows[0].worn_volume, wanted.worn_volume);
+  EXPECT_EQ(rows[0].worn_fraction, wanted.worn_fraction);
+  EXPECT_EQ(rows[0].power, wanted.power);
+  EXPECT_DOUBLE_EQ(rows[0].shoulder, wanted.shoulder);
+  EXPECT_DOUBLE_EQ(rows[0].toe, wanted.toe);
+  EXPECT_EQ(rows[0].power_error, wanted.power_error);
+  EXPECT_DOUBLE_EQ(rows[0].shoulder_error, wanted.shoulder_error);
+  EXPECT_TRUE(std::isnan(rows[0].toe_error));
+}
+
+TEST_F(ResultsCsv, ReadingAndWritingAgainChangesNoByte) {
+  std::vector<HistoryRow> rows;
+  for (int i = 0; i < 2000; ++i) {
+    auto row = example_row();
+    row.face_angle = std::sqrt(i) * 0.037;
+    row.toe = -std::cbrt(i + 0.1) * 0.111;
+    row.power = 1e5 * std::sin(i);
+    rows.push_back(row);
+  }
+  const auto text = history_csv(rows);
+  write(text);
+  EXPECT_EQ(history_csv(read_history_csv(file)), text);
+}
+
+TEST_F(ResultsCsv, ProfilesReadBackAsTheyWere) {
+  const std::vector<ProfileRow> rows = {{0, 0, 0.0, {{-0.1, 1.0 / 3.0}, {0.0, 0.2}, {0.1, 1e-9}}},
+                                        {0, 1, 120.5, {{-0.1, 0.0}, {0.1, 0.0}}}};
+  write(profiles_csv(rows));
+  const auto read = read_profiles_csv(file);
+  ASSERT_EQ(read.size(), 2u);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    EXPECT_EQ(read[i].cycle, rows[i].cycle);
+    EXPECT_EQ(read[i].step, rows[i].step);
+    EXPECT_EQ(read[i].operating_hours, rows[i].operating_hours);
+    EXPECT_EQ(read[i].nodes, rows[i].nodes);
+  }
+}
+
+TEST_F(ResultsCsv, AnotherVersionIsRefusedWithItsLine) {
+  auto text = history_csv({example_row()});
+  text.replace(text.find(" 1\n"), 3, " 2\n");
+  write(text);
+  EXPECT_THAT(refusal([this] { (void)read_history_csv(file); }),
+              AllOf(StartsWith(file.string() + ":1: "), HasSubstr("millwear history 2"),
+                    HasSubstr("millwear history 1")));
+}
+
+TEST_F(ResultsCsv, OtherColumnsAreRefusedWithTheirLine) {
+  write("# millwear profiles 1\ncycle,step,node,xi_m,eta_m\n");
+  EXPECT_THAT(refusal([this] { (void)read_profiles_csv(file); }),
+              StartsWith(file.string() + ":2: "));
+}
+
+TEST_F(ResultsCsv, ATornRowIsRefusedWithItsLine) {
+  const auto text = history_csv({example_row(), example_row()});
+  write(text.substr(0, text.size() - 20));
+  EXPECT_THAT(refusal([this] { (void)read_history_csv(file); }),
+              StartsWith(file.string() + ":4: "));
+}
+
+TEST_F(ResultsCsv, ATextThatIsNoNumberIsRefusedWithItsColumn) {
+  write("# millwear profiles 1\ncycle,step,operating_hours,node,xi_m,eta_m\n0,0,0,0,0.1mm,0\n");
+  EXPECT_THAT(refusal([this] { (void)read_profiles_csv(file); }),
+              AllOf(StartsWith(file.string() + ":3: "), HasSubstr("`0.1mm` in column 5")));
+}
+
+TEST_F(ResultsCsv, ALostNodeIsRefused) {
+  write(
+      "# millwear profiles 1\ncycle,step,operating_hours,node,xi_m,eta_m\n"
+      "0,0,0,0,0,0\n0,0,0,2,0,0\n");
+  EXPECT_THAT(refusal([this] { (void)read_profiles_csv(file); }),
+              AllOf(StartsWith(file.string() + ":4: "), HasSubstr("out of order")));
+}
+
+TEST_F(ResultsCsv, AMissingFileIsADiskError) {
+  EXPECT_THROW((void)read_history_csv(file), DiskError);
+}
+
+}  // namespace
+}  // namespace millwear::orchestrator

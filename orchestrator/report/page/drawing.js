@@ -49,9 +49,8 @@ function drawPlate(drawing) {
 
 function nameArcs(drawing) {
   const {svg, x, y} = drawing;
-  const left = x(shellArc[0][0]) + 6;
   svg.append("text").attr({x: x(0), y: y(0) + 15, "text-anchor": "middle"}).text("new plate");
-  svg.append("text").attr({x: left, y: y(shellArc[2][1]) - 7}).text("shell");
+  svg.append("text").attr({x: x(0), y: y(d3.min(shellArc, (p) => p[1])) - 7, "text-anchor": "middle"}).text("shell");
 }
 
 /** A bar of colours with hours under it, drawn at the right end of the drawing's head. */

@@ -1,5 +1,7 @@
 const steelColour = "#16365c";
 
+const campaignHours = [0, d3.max(data.history.concat(data.measured), (row) => row.operating_hours) || 1];
+
 const chargePoints = (value, error) => data.charges.map((charge) =>
   ({x: charge.operating_hours, y: charge[value], error: charge[error]}));
 
@@ -11,10 +13,9 @@ function straightLine() {
     .map((row) => ({x: row.operating_hours, y: inMillimetres(row.lifter_height)}));
   const measured = readings.length > 1;
   const [a, b] = measured ? readings : [first[0], first[first.length - 1]];
-  if (!a || !b || a.x === b.x) return [];
+  if (a.x === b.x || (!measured && data.charges.length < 2)) return [];
   const slope = (b.y - a.y) / (b.x - a.x);
-  const end = d3.max(data.history.concat(data.measured), (row) => row.operating_hours);
-  const last = slope < 0 ? Math.min(end, a.x - a.y / slope) : end;
+  const last = slope < 0 ? Math.min(campaignHours[1], a.x - a.y / slope) : campaignHours[1];
   return [{name: measured ? "straight line through the first two readings" : "straight line through the first cycle",
     label: "straight line", colour: "#8b959e", style: "dashed",
     points: [a, {x: last, y: a.y + slope * (last - a.x)}]}];
@@ -29,12 +30,12 @@ function drawHeight(container) {
   if (data.measured.length)
     series.push({name: "measured", colour: "#a8431c", style: "dots", points: data.measured.map((m) =>
       ({x: m.operating_hours, y: inMillimetres(m.height)}))});
-  lineChart(container, {name: "Lifter height", x: "operating hours", value: "mm", zero: true, series, rules,
+  lineChart(container, {name: "Lifter height", span: campaignHours, x: "operating hours", value: "mm", zero: true, series, rules,
     place: hoursText, text: (p) => fixed(1)(p.y) + " mm"});
 }
 
 function drawWornShare(container) {
-  lineChart(container, {name: "Worn share", x: "operating hours", value: "%", zero: true, place: hoursText,
+  lineChart(container, {name: "Worn share", span: campaignHours, x: "operating hours", value: "%", zero: true, place: hoursText,
     text: (p) => fixed(1)(p.y) + " %", series: [{name: "predicted", colour: steelColour, marks: true, points: data.history.map((row) =>
       ({x: row.operating_hours, y: inPercent(row.worn_fraction)}))}]});
 }
@@ -46,7 +47,7 @@ function drawPower(container) {
   const points = chargePoints("power", "power_error");
   const scale = prefixed(points.map((p) => p.y), "W");
   const scaled = points.map((p) => ({x: p.x, y: p.y / scale.factor, error: known(p.error) ? p.error / scale.factor : null}));
-  lineChart(container, {name: "Power draw", x: "operating hours", value: scale.unit, place: hoursText,
+  lineChart(container, {name: "Power draw", span: campaignHours, x: "operating hours", value: scale.unit, place: hoursText,
     text: (p) => withError(p, 2, scale.unit), series: [{colour: steelColour, marks: true, points: scaled}]});
 }
 
@@ -61,6 +62,6 @@ function drawPowerSeries(container) {
 
 function drawAngle(container, name, value, error) {
   const points = chargePoints(value, error).map((p) => ({x: p.x, y: inDegrees(p.y), error: inDegrees(p.error)}));
-  lineChart(container, {name, x: "operating hours", value: "degrees", place: hoursText,
+  lineChart(container, {name, span: campaignHours, x: "operating hours", value: "degrees", place: hoursText,
     text: (p) => withError(p, 1, "°"), height: 220, series: [{colour: steelColour, marks: true, points}]});
 }

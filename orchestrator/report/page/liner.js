@@ -89,13 +89,12 @@ function drawOriginalAndWorn(container, caption) {
     for (const profile of [fresh, worn])
       svg.append("path").attr({class: "profile end", d: path(profile.nodes)})
         .style("stroke", ageColour(profile.operating_hours));
-    label(drawing, fresh, "new");
-    label(drawing, worn, hoursText(worn.operating_hours));
+    const heights = [fresh, worn].map((profile) => drawing.y(crestOf(profile.nodes)));
+    label(drawing, heights[0] - 6, "new");
+    label(drawing, heights[1] - heights[0] > 20 ? heights[1] - 6 : heights[1] + 20, hoursText(worn.operating_hours));
   });
 }
 
-function label(drawing, profile, words) {
-  const crest = profile.nodes.reduce((best, p) => p[1] > best[1] ? p : best);
-  drawing.svg.append("text").attr({class: "label", x: drawing.x(0), y: drawing.y(crest[1]) - 6,
-    "text-anchor": "middle"}).text(words);
+function label(drawing, y, words) {
+  drawing.svg.append("text").attr({class: "label", x: drawing.x(0), y, "text-anchor": "middle"}).text(words);
 }

@@ -76,7 +76,8 @@ TEST(DemOutline, LaboratoryLinerTakesFewFacets) {
 
 TEST(DemOutline, StaysWithinTheToleranceBothWays) {
   for (const double tolerance : {0.1e-3, 0.33e-3, 1e-3, 5e-3}) {
-    for (const auto& profile : {test::laboratory_liner(), test::production_liner()}) {
+    for (const auto& profile :
+         {test::laboratory_liner(), test::production_liner(), bare_plate(1.0, 12, 300)}) {
       const auto outline = dem_outline(profile, tolerance);
       EXPECT_LE(largest_distance(outline, profile.nodes), tolerance);
       EXPECT_LE(largest_distance(profile.nodes, outline), tolerance);

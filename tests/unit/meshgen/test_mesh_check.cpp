@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 
 #include "meshgen/facet_outline.h"
@@ -110,6 +111,30 @@ TEST(CheckMesh, RejectsAMeshOffItsProfile) {
                 for (Eigen::Vector3d& vertex : mesh.vertices) vertex.z() -= 1e-3;
               }),
               HasSubstr("m from the profile; the tolerance is 0.00045 m"));
+}
+
+std::string rejection_against(const LinerProfile& meshed, const LinerProfile& wanted) {
+  const MeshSettings fine{.tolerance = 1e-3};
+  const LinerMesh mesh = build_liner_mesh(meshed, 0.01, fine);
+  try {
+    static_cast<void>(check_mesh(mesh, wanted, fine));
+  } catch (const ResultRejected& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// A fin of 10 mm, away from the ends and the middle of its facet, that only one of the two has.
+TEST(CheckMesh, RejectsAFinTooManyAndAFinTooFew) {
+  const LinerProfile plate = test::bare_plate(1.0, 12, 6);
+  LinerProfile finned = plate;
+  const Eigen::Vector2d start = plate.nodes[0];
+  const Eigen::Vector2d facet = plate.nodes[1] - start;
+  finned.nodes.insert(finned.nodes.begin() + 1,
+                      {start + 0.24 * facet, start + 0.25 * facet + Eigen::Vector2d(0.0, 0.010),
+                       start + 0.26 * facet});
+  EXPECT_THAT(rejection_against(plate, finned), HasSubstr("m from the profile"));
+  EXPECT_THAT(rejection_against(finned, plate), HasSubstr("m from the profile"));
 }
 
 // The same shape with its lifters numbered from another one is off the profile by a whole pitch.

@@ -1,0 +1,191 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+
+#include "mill/failure.h"
+#include "mill/mill_frame.h"
+#include "sample_profiles.h"
+#include "wear/load_accumulator.h"
+#include "wear/wear_law.h"
+
+namespace millwear::wear {
+namespace {
+
+constexpr LoadMeasurement measurement{.bins = 50,
+                                      .class_count = 2,
+                                      .block_count = 4,
+                                      .slice_length = 0.25,
+                                      .duration = 2.0,
+                                      .sample_interval = 0.01,
+                                      .contact_limit = 1e-3};
+
+WallContact contact_at(const Eigen::Vector2d& master, int row, double mill_angle) {
+  const auto place = to_mill(sample_sector, master, row, mill_angle);
+  return {{place.x(), 0.1, place.y()}, 100.0, 0.5, 0.2, 1, 0};
+}
+
+/// Places up to 1.5 mm off the profile, all around the mill.
+WallContacts random_contacts(const LinerProfile& profile, double time, double mill_angle) {
+  std::mt19937 random(7);
+  std::uniform_int_distribution<std::size_t> node(0, profile.nodes.size() - 2);
+  std::uniform_int_distribution<int> row(0, sample_sector.rows - 1);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  std::uniform_real_distribution<double> off(-1.5e-3, 1.5e-3);
+  WallContacts sample{time, mill_angle, {}};
+  for (int i = 0; i < 2000; ++i) {
+    const auto n = node(random);
+    const Eigen::Vector2d along = profile.nodes[n + 1] - profile.nodes[n];
+    const Eigen::Vector2d normal(-along.normalized().y(), along.normalized().x());
+    const Eigen::Vector2d place = profile.nodes[n] + share(random) * along + off(random) * normal;
+    sample.contacts.push_back(contact_at(place, row(random), mill_angle));
+    sample.contacts.back().normal_force = 1.0 + i;
+  }
+  return sample;
+}
+
+double sum(const WallLoad& load, Measure measure) { return load.total(measure).sum(); }
+
+TEST(LoadAccumulator, AddsEveryMeasureToItsCellClassAndBlock) {
+  LoadAccumulator accumulator(square_lifter(), measurement);
+  accumulator.add({1.6, 0.2, {contact_at({0.0, 0.1}, 3, 0.2)}});
+  const WallLoad& load = accumulator.load();
+  const Eigen::Index cell = load.bins() / 2;
+  const Eigen::Index last_block_of_second_class = 7;
+  double found = 0.0;
+  for (const Eigen::Index near : {cell - 1, cell}) {
+    found += load.values[0](near, last_block_of_second_class);
+  }
+  EXPECT_EQ(found, 1.0);
+  EXPECT_DOUBLE_EQ(sum(load, Measure::normal_impulse), 100.0 * 0.01);
+  EXPECT_DOUBLE_EQ(sum(load, Measure::sliding_work), 100.0 * 0.5 * 0.01);
+  EXPECT_DOUBLE_EQ(sum(load, Measure::normal_dissipation), 100.0 * 0.2 * 0.01);
+}
+
+TEST(LoadAccumulator, BinsAndRejectedEqualTheTotal) {
+  const LinerProfile profile = square_lifter();
+  const WallContacts sample = random_contacts(profile, 0.3, 0.7);
+  LoadAccumulator accumulator(profile, measurement);
+  accumulator.add(sample);
+  double work = 0.0;
+  for (const auto& contact : sample.contacts) {
+    work += contact.normal_force * contact.slip_speed * measurement.sample_interval;
+  }
+  const WallLoad& load = accumulator.load();
+  EXPECT_GT(load.rejected[0], 400.0);
+  EXPECT_EQ(sum(load, Measure::samples) + load.rejected[0], 2000.0);
+  EXPECT_NEAR(sum(load, Measure::sliding_work) + load.rejected[2], work, 1e-12 * work);
+}
+
+TEST(LoadAccumulator, RotatingEveryContactByOnePitchChangesNothing) {
+  const LinerProfile profile = square_lifter();
+  const double pitch = sample_sector.pitch();
+  WallContacts sample = random_contacts(profile, 0.3, 0.7);
+  LoadAccumulator here(profile, measurement);
+  here.add(sample);
+  for (auto& contact : sample.contacts) {
+    const double x = contact.point.x();
+    const double z = contact.point.z();
+    contact.point.x() = std::cos(pitch) * x + std::sin(pitch) * z;
+    contact.point.z() = -std::sin(pitch) * x + std::cos(pitch) * z;
+  }
+  LoadAccumulator there(profile, measurement);
+  there.add(sample);
+  const auto difference = here.load().values[2] - there.load().values[2];
+  EXPECT_LE(difference.cwiseAbs().maxCoeff(), 1e-12 * here.load().values[2].maxCoeff());
+}
+
+// Turning the mill and its contacts together changes nothing either.
+TEST(LoadAccumulator, TurnsBackByTheMillsAngle) {
+  const LinerProfile profile = square_lifter();
+  LoadAccumulator here(profile, measurement);
+  LoadAccumulator there(profile, measurement);
+  here.add(random_contacts(profile, 0.3, 0.0));
+  there.add(random_contacts(profile, 0.3, 1.234));
+  const auto difference = here.load().values[1] - there.load().values[1];
+  EXPECT_LE(difference.cwiseAbs().maxCoeff(), 1e-12 * here.load().values[1].maxCoeff());
+}
+
+// Near the sector's edge the nearest place may be on the next pitch: nothing is lost there.
+TEST(LoadAccumulator, TakesContactsOnTheSectorsEdge) {
+  LoadAccumulator accumulator(bare_ring(), measurement);
+  const double edge = 0.5 * sample_sector.pitch();
+  for (const double off : {-1e-9, 0.0, 1e-9}) {
+    accumulator.add({0.1, 0.0, {contact_at(point_at(sample_sector, 1.0, edge + off), 2, 0.0)}});
+  }
+  EXPECT_EQ(accumulator.load().rejected[0], 0.0);
+  const Eigen::VectorXd samples = accumulator.load().total(Measure::samples);
+  EXPECT_EQ(samples[0] + samples[samples.size() - 1], 3.0);
+}
+
+// A locked sphere pressed with 100 N and dragged at 0.5 m/s for 2 s along one lifter of ten:
+// V = k F s = 1e-12 * 100 N * 1 m. The law gives the rate of the mean lifter, a tenth of it.
+TEST(LoadAccumulator, ADraggedContactWearsForceTimesDistance) {
+  LoadAccumulator accumulator(square_lifter(), measurement);
+  for (int i = 0; i < 200; ++i) {
+    const double time = 0.01 * i;
+    accumulator.add({time, 0.0, {contact_at({-0.04 + 4e-4 * i, 0.1}, 0, 0.0)}});
+  }
+  const WallLoad load = coarsened(accumulator.load(), cells_per_bin);
+  const double volume_rate = depth_rate(Archard{1e-12}, load).dot(load.bin_area());
+  EXPECT_NEAR(volume_rate * 2.0 * sample_sector.rows, 1e-12 * 100.0 * 1.0, 1e-22);
+}
+
+TEST(LoadAccumulator, ARollingContactWearsNothing) {
+  LoadAccumulator accumulator(square_lifter(), measurement);
+  auto contact = contact_at({0.0, 0.1}, 0, 0.0);
+  contact.slip_speed = 0.0;
+  accumulator.add({0.0, 0.0, {contact}});
+  EXPECT_EQ(depth_rate(Archard{1e-12}, accumulator.load()).sum(), 0.0);
+}
+
+TEST(LoadAccumulator, LaysBinsAfterwards) {
+  LoadAccumulator accumulator(square_lifter(), measurement);
+  accumulator.add(random_contacts(square_lifter(), 0.3, 0.7));
+  const WallLoad bins = coarsened(accumulator.load(), cells_per_bin);
+  EXPECT_EQ(bins.bins(), 50);
+  EXPECT_EQ(bins.bin_edges[50], accumulator.load().bin_edges[400]);
+  EXPECT_DOUBLE_EQ(bins.values[2].row(3).sum(),
+                   accumulator.load().values[2].middleRows(24, 8).sum());
+  EXPECT_THROW(static_cast<void>(coarsened(bins, 7)), InputError);
+}
+
+TEST(LoadAccumulator, RanksAddUp) {
+  LoadAccumulator accumulator(square_lifter(), measurement);
+  accumulator.add(random_contacts(square_lifter(), 0.3, 0.7));
+  const WallLoad twice = sum_of(accumulator.load(), accumulator.load());
+  EXPECT_DOUBLE_EQ(sum(twice, Measure::sliding_work),
+                   2.0 * sum(accumulator.load(), Measure::sliding_work));
+  EXPECT_EQ(twice.rejected[0], 2.0 * accumulator.load().rejected[0]);
+}
+
+TEST(LoadAccumulator, RefusesTooManyContactsOffTheProfile) {
+  LoadAccumulator accumulator(square_lifter(), measurement);
+  accumulator.add({0.0, 0.0, {contact_at({0.0, 0.1}, 0, 0.0), contact_at({0.0, 0.2}, 0, 0.0)}});
+  EXPECT_DOUBLE_EQ(rejected_share(accumulator.load()), 0.5);
+  EXPECT_NO_THROW(check_rejected_share(accumulator.load(), 0.6));
+  EXPECT_THROW(check_rejected_share(accumulator.load(), 0.01), ResultRejected);
+}
+
+TEST(LoadAccumulator, RefusesTimesOutsideAndValuesThatAreNoNumbers) {
+  LoadAccumulator accumulator(square_lifter(), measurement);
+  auto contact = contact_at({0.0, 0.1}, 0, 0.0);
+  EXPECT_NO_THROW(accumulator.add({2.0, 0.0, {contact}}));
+  EXPECT_THROW(accumulator.add({2.1, 0.0, {contact}}), ResultRejected);
+  EXPECT_THROW(accumulator.add({-0.1, 0.0, {contact}}), ResultRejected);
+  contact.particle_class = 2;
+  EXPECT_THROW(accumulator.add({1.0, 0.0, {contact}}), ResultRejected);
+  contact.particle_class = 1;
+  contact.normal_force = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(accumulator.add({1.0, 0.0, {contact}}), ResultRejected);
+}
+
+TEST(LoadAccumulator, RefusesAnEmptyMeasurement) {
+  auto empty = measurement;
+  empty.duration = 0.0;
+  EXPECT_THROW(LoadAccumulator(square_lifter(), empty), InputError);
+}
+
+}  // namespace
+}  // namespace millwear::wear

@@ -1,0 +1,132 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <hdf5.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "mill/failure.h"
+#include "wear/load_store.h"
+
+namespace millwear::wear {
+namespace {
+
+namespace fs = std::filesystem;
+
+WallLoad sample_load(double first_value) {
+  WallLoad load{};
+  load.slice_length = 0.25;
+  load.rows = 52;
+  load.duration = 10.5;
+  load.bin_edges = Eigen::VectorXd::LinSpaced(101, 0.0, 0.7);
+  load.class_count = 3;
+  load.block_count = 4;
+  for (std::size_t m = 0; m < measure_count; ++m) {
+    load.values[m] = Eigen::MatrixXd::NullaryExpr(100, 12, [&](auto bin, auto column) {
+      return first_value + static_cast<double>(bin) + 1000.0 * static_cast<double>(column);
+    });
+    load.rejected[m] = 0.125 * static_cast<double>(m);
+  }
+  return load;
+}
+
+void expect_same(const WallLoad& a, const WallLoad& b) {
+  EXPECT_EQ(a.slice_length, b.slice_length);
+  EXPECT_EQ(a.rows, b.rows);
+  EXPECT_EQ(a.duration, b.duration);
+  EXPECT_EQ(a.bin_edges, b.bin_edges);
+  EXPECT_EQ(a.class_count, b.class_count);
+  EXPECT_EQ(a.block_count, b.block_count);
+  EXPECT_EQ(a.values, b.values);
+  EXPECT_EQ(a.rejected, b.rejected);
+}
+
+std::string bytes_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+class LoadStore : public testing::Test {
+ protected:
+  void SetUp() override { fs::create_directories(folder); }
+  void TearDown() override { fs::remove_all(folder); }
+
+  fs::path folder =
+      fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
+  fs::path file = folder / "load.h5";
+};
+
+TEST_F(LoadStore, ReadsBackWhatItWrote) {
+  write_load(file, sample_load(0.1));
+  expect_same(read_load(file), sample_load(0.1));
+}
+
+TEST_F(LoadStore, KeepsTheLoadsOfEveryCycle) {
+  const std::vector<StoredLoad> loads{{0, sample_load(0.1)}, {7, sample_load(0.2)}};
+  write_loads(file, loads);
+  const auto found = read_loads(file);
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[1].cycle, 7);
+  expect_same(found[1].load, loads[1].load);
+}
+
+TEST_F(LoadStore, WritesTheSameBytesForTheSameLoad) {
+  write_load(file, sample_load(0.1));
+  const auto first = bytes_of(file);
+  write_load(folder / "again.h5", sample_load(0.1));
+  EXPECT_EQ(bytes_of(folder / "again.h5"), first);
+}
+
+TEST_F(LoadStore, EveryDatasetHasAUnit) {
+  write_load(file, sample_load(0.1));
+  const hid_t h5 = H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  for (const char* name : {"slice_length", "rows", "duration", "bin_edges", "samples",
+                           "normal_impulse", "sliding_work", "normal_dissipation", "rejected"}) {
+    EXPECT_GT(H5Aexists_by_name(h5, name, "unit", H5P_DEFAULT), 0) << name;
+  }
+  H5Fclose(h5);
+}
+
+TEST_F(LoadStore, RefusesAnotherVersion) {
+  write_load(file, sample_load(0.1));
+  const hid_t h5 = H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  const hid_t attribute = H5Aopen(h5, "format_version", H5P_DEFAULT);
+  const int next = 2;
+  H5Awrite(attribute, H5T_NATIVE_INT, &next);
+  H5Aclose(attribute);
+  H5Fclose(h5);
+  try {
+    static_cast<void>(read_load(file));
+    FAIL() << "read a file of version 2";
+  } catch (const ResultRejected& refused) {
+    EXPECT_THAT(refused.what(), testing::HasSubstr("version 2"));
+  }
+}
+
+TEST_F(LoadStore, RefusesAnotherType) {
+  write_load(file, sample_load(0.1));
+  EXPECT_THROW(static_cast<void>(read_loads(file)), ResultRejected);
+}
+
+TEST_F(LoadStore, RefusesATruncatedFile) {
+  write_load(file, sample_load(0.1));
+  const auto whole = fs::file_size(file);
+  for (const auto part : {whole - 1, whole / 2, whole / 8, std::uintmax_t{0}}) {
+    fs::resize_file(file, part);
+    EXPECT_THROW(static_cast<void>(read_load(file)), ResultRejected) << part << " of " << whole;
+  }
+}
+
+TEST_F(LoadStore, RefusesAMissingFile) {
+  EXPECT_THROW(static_cast<void>(read_load(file)), DiskError);
+}
+
+TEST_F(LoadStore, SaysThatTheDiskIsFull) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP();
+  EXPECT_THROW(write_load("/dev/full", sample_load(0.1)), DiskError);
+}
+
+}  // namespace
+}  // namespace millwear::wear

@@ -1,0 +1,56 @@
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <random>
+
+#include "mill/mill_frame.h"
+#include "mill/parametric_lifter.h"
+#include "wear/load_accumulator.h"
+#include "wear/profile_motion.h"
+
+namespace millwear::wear {
+namespace {
+
+LinerProfile seed_lifter() { return profile_of({4.0, 3.9005, 52}, {0.215, 0.10, 0.2, 0.1}); }
+
+void accumulate_contacts(benchmark::State& state) {
+  const LinerProfile profile = profile_of({4.0, 3.9005, 52}, {0.215, 0.10, 0.2, 0.1});
+  const double tolerance = 2e-3;
+  LoadAccumulator accumulator(profile, {200, 9, 20, 0.25, 1.0, 1e-3, tolerance});
+  std::mt19937 random(1);
+  std::uniform_int_distribution<std::size_t> node(0, profile.nodes.size() - 2);
+  std::uniform_int_distribution<int> row(0, 51);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  WallContacts sample{0.5, 0.3, {}};
+  for (std::size_t i = 0; i < 40000; ++i) {
+    const auto n = node(random);
+    const Eigen::Vector2d place =
+        profile.nodes[n] + share(random) * (profile.nodes[n + 1] - profile.nodes[n]);
+    const auto xz = to_mill(profile.sector, place, row(random), sample.mill_angle);
+    sample.contacts.push_back({{xz.x(), 0.1, xz.y()}, 10.0, 0.1, 0.0, i % 9, 0});
+  }
+  for (auto _ : state) accumulator.add(sample);
+  state.SetItemsProcessed(state.iterations() * static_cast<long>(sample.contacts.size()));
+}
+BENCHMARK(accumulate_contacts)->Unit(benchmark::kMillisecond);
+
+void move_one_step(benchmark::State& state) {
+  LinerProfile profile = seed_lifter();
+  const auto length = arc_lengths(profile).back();
+  const double bin = length / 200.0;
+  const auto depth = [&](double s) { return 1.0 + 0.5 * std::sin(40.0 * s / length); };
+  const double area = 0.005 * lifter_area(profile);
+  for (int i = 0; i < 10; ++i) {
+    profile = move_profile(profile, loss_nodes(profile, bin, depth), area, bin).profile;
+  }
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(move_profile(profile, loss_nodes(profile, bin, depth), area, bin));
+  }
+  state.counters["nodes"] = static_cast<double>(profile.nodes.size());
+}
+BENCHMARK(move_one_step)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace millwear::wear
+
+BENCHMARK_MAIN();

@@ -1,0 +1,146 @@
+#include <fmt/format.h>
+#include <hdf5.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+#include "wear/hdf5_handle.h"
+#include "wear/load_store.h"
+
+namespace millwear::wear {
+namespace {
+
+class Reader {
+ public:
+  Reader(const std::filesystem::path& path, std::string_view type)
+      : path_(path.string()), damaged_(path_ + ": "), file_(open(path)) {
+    if (read_text("type") != type) throw ResultRejected(damaged_ + fmt::format("is no {}", type));
+    int version = 0;
+    Handle attribute = owned(H5Aopen(root(), "format_version", H5P_DEFAULT), H5Aclose);
+    check(H5Aread(attribute.id(), H5T_NATIVE_INT, &version));
+    if (version != load_format_version) {
+      throw ResultRejected(fmt::format(
+          "{}: has format version {}, this program reads version {}; write it anew with this one",
+          path_, version, load_format_version));
+    }
+  }
+
+  [[nodiscard]] hid_t root() const { return file_.id(); }
+
+  [[nodiscard]] Handle group(const std::string& name) const {
+    return owned(H5Gopen2(root(), name.c_str(), H5P_DEFAULT), H5Gclose);
+  }
+
+  [[nodiscard]] std::vector<std::string> names() const {
+    H5G_info_t info{};
+    check(H5Gget_info(root(), &info));
+    std::vector<std::string> found;
+    for (hsize_t i = 0; i < info.nlinks; ++i) {
+      std::array<char, 64> name{};
+      check(H5Lget_name_by_idx(root(), ".", H5_INDEX_NAME, H5_ITER_INC, i, name.data(), name.size(),
+                               H5P_DEFAULT) < 0
+                ? -1
+                : 0);
+      found.emplace_back(name.data());
+    }
+    return found;
+  }
+
+  struct Values {
+    std::vector<hsize_t> sizes;
+    std::vector<double> values;
+  };
+
+  [[nodiscard]] Values read_values(hid_t group, std::string_view name, int rank) const {
+    Handle set = owned(H5Dopen2(group, std::string(name).c_str(), H5P_DEFAULT), H5Dclose);
+    Handle space = owned(H5Dget_space(set.id()), H5Sclose);
+    if (H5Sget_simple_extent_ndims(space.id()) != rank) check(-1);
+    Values found{std::vector<hsize_t>(static_cast<std::size_t>(rank)), {}};
+    check(H5Sget_simple_extent_dims(space.id(), found.sizes.data(), nullptr));
+    found.values.resize(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.id())));
+    check(H5Dread(set.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, found.values.data()));
+    return found;
+  }
+
+  [[nodiscard]] double read_number(hid_t group, std::string_view name) const {
+    const Values found = read_values(group, name, 1);
+    check(found.values.size() == 1 ? 0 : -1);
+    return found.values.front();
+  }
+
+  void check(herr_t status) const {
+    if (status < 0) throw ResultRejected(damaged_ + "is damaged or incomplete; write it anew");
+  }
+
+ private:
+  [[nodiscard]] Handle owned(hid_t id, Handle::Closer closer) const {
+    check(id < 0 ? -1 : 0);
+    return {id, closer, damaged_};
+  }
+
+  [[nodiscard]] Handle open(const std::filesystem::path& path) const {
+    if (!std::filesystem::is_regular_file(path)) throw DiskError(path_ + ": there is no such file");
+    return owned(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  }
+
+  [[nodiscard]] std::string read_text(const char* name) const {
+    Handle attribute = owned(H5Aopen(root(), name, H5P_DEFAULT), H5Aclose);
+    Handle type = owned(H5Aget_type(attribute.id()), H5Tclose);
+    check(H5Tis_variable_str(type.id()) == 0 ? 0 : -1);
+    std::string text(H5Tget_size(type.id()), '\0');
+    check(H5Aread(attribute.id(), type.id(), text.data()));
+    return text.substr(0, text.find('\0'));
+  }
+
+  std::string path_;
+  std::string damaged_;
+  QuietErrors quiet_;
+  Handle file_;
+};
+
+WallLoad read_from(const Reader& reader, hid_t group) {
+  WallLoad load{};
+  load.slice_length = reader.read_number(group, "slice_length");
+  load.rows = static_cast<int>(reader.read_number(group, "rows"));
+  load.duration = reader.read_number(group, "duration");
+  const auto edges = reader.read_values(group, "bin_edges", 1).values;
+  load.bin_edges = Eigen::Map<const Eigen::VectorXd>(edges.data(), std::ssize(edges));
+  for (std::size_t m = 0; m < measure_count; ++m) {
+    const auto [sizes, values] = reader.read_values(group, measure_names[m], 3);
+    if (m == 0) {
+      load.class_count = sizes[0];
+      load.block_count = sizes[1];
+    }
+    const bool fits = sizes[0] == load.class_count && sizes[1] == load.block_count &&
+                      sizes[2] + 1 == edges.size();
+    reader.check(fits ? 0 : -1);
+    load.values[m] = Eigen::Map<const Eigen::MatrixXd>(
+        values.data(), load.bins(), static_cast<Eigen::Index>(sizes[0] * sizes[1]));
+  }
+  const auto rejected = reader.read_values(group, "rejected", 1).values;
+  reader.check(rejected.size() == measure_count ? 0 : -1);
+  std::copy(rejected.begin(), rejected.end(), load.rejected.begin());
+  return load;
+}
+
+}  // namespace
+
+WallLoad read_load(const std::filesystem::path& path) {
+  const Reader reader(path, one_load);
+  return read_from(reader, reader.root());
+}
+
+std::vector<StoredLoad> read_loads(const std::filesystem::path& path) {
+  const Reader reader(path, many_loads);
+  std::vector<StoredLoad> loads;
+  for (const std::string& name : reader.names()) {
+    const std::string number = name.substr(std::min(name.size(), name.find('_') + 1));
+    loads.push_back({std::atoi(number.c_str()), read_from(reader, reader.group(name).id())});
+  }
+  return loads;
+}
+
+}  // namespace millwear::wear

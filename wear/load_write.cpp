@@ -1,0 +1,153 @@
+#include <fmt/format.h>
+#include <hdf5.h>
+
+#include <array>
+#include <fstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "wear/hdf5_handle.h"
+#include "wear/load_store.h"
+
+namespace millwear::wear {
+
+QuietErrors::QuietErrors() {
+  H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
+QuietErrors::~QuietErrors() { H5Eset_auto2(H5E_DEFAULT, function_, data_); }
+
+namespace {
+
+constexpr unsigned deflate_level = 4;
+
+class Writer {
+ public:
+  Writer(const std::filesystem::path& path, std::string_view type)
+      : path_(path),
+        failure_(fmt::format("{}: cannot be written; is the disk full?", path.string())),
+        file_(create()) {
+    write_text(file_.id(), "type", type);
+    write_number(file_.id(), "format_version", load_format_version);
+  }
+
+  [[nodiscard]] hid_t root() const { return file_.id(); }
+
+  [[nodiscard]] Handle new_group(const std::string& name) const {
+    Handle options = untimed(H5P_GROUP_CREATE);
+    return {H5Gcreate2(root(), name.c_str(), H5P_DEFAULT, options.id(), H5P_DEFAULT), H5Gclose,
+            failure_};
+  }
+
+  void write_number(hid_t owner, const char* name, int value) const {
+    Handle space(H5Screate(H5S_SCALAR), H5Sclose, failure_);
+    Handle attribute(H5Acreate2(owner, name, H5T_STD_I32LE, space.id(), H5P_DEFAULT, H5P_DEFAULT),
+                     H5Aclose, failure_);
+    check(H5Awrite(attribute.id(), H5T_NATIVE_INT, &value));
+    attribute.close(failure_);
+  }
+
+  void write_text(hid_t owner, const char* name, std::string_view text) const {
+    Handle type(H5Tcopy(H5T_C_S1), H5Tclose, failure_);
+    check(H5Tset_size(type.id(), text.size() + 1));
+    Handle space(H5Screate(H5S_SCALAR), H5Sclose, failure_);
+    Handle attribute(H5Acreate2(owner, name, type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT),
+                     H5Aclose, failure_);
+    check(H5Awrite(attribute.id(), type.id(), std::string(text).c_str()));
+    attribute.close(failure_);
+  }
+
+  template <std::size_t rank>
+  void write_values(hid_t group, std::string_view name, std::string_view unit,
+                    const std::array<hsize_t, rank>& sizes, const double* values) const {
+    Handle space(H5Screate_simple(static_cast<int>(rank), sizes.data(), nullptr), H5Sclose,
+                 failure_);
+    Handle options = untimed(H5P_DATASET_CREATE);
+    check(H5Pset_chunk(options.id(), static_cast<int>(rank), sizes.data()));
+    check(H5Pset_shuffle(options.id()));
+    check(H5Pset_deflate(options.id(), deflate_level));
+    Handle set(H5Dcreate2(group, std::string(name).c_str(), H5T_IEEE_F64LE, space.id(), H5P_DEFAULT,
+                          options.id(), H5P_DEFAULT),
+               H5Dclose, failure_);
+    check(H5Dwrite(set.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values));
+    write_text(set.id(), "unit", unit);
+    set.close(failure_);
+  }
+
+  /// Ends the file in memory and puts its bytes on the disk.
+  void publish() {
+    check(H5Fflush(root(), H5F_SCOPE_LOCAL));
+    const ssize_t size = H5Fget_file_image(root(), nullptr, 0);
+    check(size < 0 ? -1 : 0);
+    std::vector<char> image(static_cast<std::size_t>(size));
+    check(H5Fget_file_image(root(), image.data(), image.size()) < 0 ? -1 : 0);
+    file_.close(failure_);
+    std::ofstream disk(path_, std::ios::binary | std::ios::trunc);
+    disk.write(image.data(), std::ssize(image));
+    disk.close();
+    check(disk ? 0 : -1);
+  }
+
+ private:
+  void check(herr_t status) const {
+    if (status < 0) throw DiskError(failure_);
+  }
+
+  [[nodiscard]] Handle untimed(hid_t kind) const {
+    Handle options(H5Pcreate(kind), H5Pclose, failure_);
+    check(H5Pset_obj_track_times(options.id(), false));
+    return options;
+  }
+
+  [[nodiscard]] Handle create() const {
+    constexpr std::size_t growth = 1 << 20;
+    Handle options = untimed(H5P_FILE_CREATE);
+    Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, failure_);
+    check(H5Pset_fapl_core(access.id(), growth, false));
+    return {H5Fcreate(path_.c_str(), H5F_ACC_TRUNC, options.id(), access.id()), H5Fclose, failure_};
+  }
+
+  std::filesystem::path path_;
+  std::string failure_;
+  QuietErrors quiet_;
+  Handle file_;
+};
+
+void write_into(const Writer& writer, hid_t group, const WallLoad& load) {
+  const double rows = load.rows;
+  const auto bins = static_cast<hsize_t>(load.bins());
+  const std::array<hsize_t, 1> one{1};
+  const std::array<hsize_t, 1> edges{bins + 1};
+  const std::array<hsize_t, 1> rejected{measure_count};
+  const std::array<hsize_t, 3> sizes{load.class_count, load.block_count, bins};
+  writer.write_values(group, "slice_length", "m", one, &load.slice_length);
+  writer.write_values(group, "rows", "1", one, &rows);
+  writer.write_values(group, "duration", "s", one, &load.duration);
+  writer.write_values(group, "bin_edges", "m", edges, load.bin_edges.data());
+  for (std::size_t m = 0; m < measure_count; ++m) {
+    writer.write_values(group, measure_names[m], measure_units[m], sizes, load.values[m].data());
+  }
+  writer.write_values(group, "rejected", fmt::format("{}", fmt::join(measure_units, ", ")),
+                      rejected, load.rejected.data());
+}
+
+}  // namespace
+
+void write_load(const std::filesystem::path& path, const WallLoad& load) {
+  Writer writer(path, one_load);
+  write_into(writer, writer.root(), load);
+  writer.publish();
+}
+
+void write_loads(const std::filesystem::path& path, std::span<const StoredLoad> loads) {
+  Writer writer(path, many_loads);
+  for (const StoredLoad& stored : loads) {
+    const Handle group = writer.new_group(fmt::format("cycle_{:03}", stored.cycle));
+    write_into(writer, group.id(), stored.load);
+  }
+  writer.publish();
+}
+
+}  // namespace millwear::wear

@@ -1,0 +1,96 @@
+#include "wear/smoothing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mill/failure.h"
+#include "wear/penalised_spline.h"
+
+namespace millwear::wear {
+namespace {
+
+constexpr Eigen::Index fewest_bins = 8;
+constexpr Eigen::Index most_coefficients = 128;
+constexpr Eigen::Index variance_half_width = 2;
+constexpr double variance_floor = 0.01;
+constexpr Eigen::Index shortest_unloaded_stretch = 3;
+constexpr double even_to = 1e-6;
+
+void check(const Eigen::VectorXd& bin_edges, const Eigen::VectorXd& rate,
+           const Eigen::MatrixXd& by_block) {
+  const Eigen::Index bins = rate.size();
+  if (bins < fewest_bins || bin_edges.size() != bins + 1 || by_block.rows() != bins) {
+    throw InputError(fmt::format(
+        "smoothing needs {} bins or more, an edge more than bins, and blocks of as many bins; it "
+        "got {}, {} and {}",
+        fewest_bins, bins, bin_edges.size(), by_block.rows()));
+  }
+  const Eigen::ArrayXd widths = bin_edges.tail(bins) - bin_edges.head(bins);
+  if (!(widths.maxCoeff() - widths.minCoeff() <= even_to * widths.mean())) {
+    throw InputError("smoothing needs bins of equal width");
+  }
+  if (!rate.allFinite() || rate.minCoeff() < 0.0) {
+    throw InputError("a wear rate is negative or not finite");
+  }
+}
+
+Eigen::VectorXd periodic_mean(const Eigen::VectorXd& values, Eigen::Index half_width) {
+  const Eigen::Index n = values.size();
+  Eigen::VectorXd mean = Eigen::VectorXd::Zero(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    for (Eigen::Index j = -half_width; j <= half_width; ++j) {
+      mean[i] += values[(i + j + n) % n];
+    }
+  }
+  return mean / static_cast<double>(2 * half_width + 1);
+}
+
+Eigen::VectorXd weights_from(const Eigen::MatrixXd& by_block) {
+  const Eigen::Index blocks = by_block.cols();
+  if (blocks < 2) return Eigen::VectorXd::Ones(by_block.rows());
+  const Eigen::VectorXd mean = by_block.rowwise().mean();
+  const Eigen::VectorXd variance = (by_block.colwise() - mean).rowwise().squaredNorm() /
+                                   static_cast<double>(blocks * (blocks - 1));
+  const double typical = variance.mean();
+  if (!(typical > 0.0)) return Eigen::VectorXd::Ones(by_block.rows());
+  return typical * periodic_mean(variance, variance_half_width)
+                       .cwiseMax(variance_floor * typical)
+                       .cwiseInverse();
+}
+
+/// 1 where steel may be lost: bins with loss, their neighbours, and gaps too short to count.
+Eigen::ArrayXd loaded_places(const Eigen::VectorXd& rate) {
+  const Eigen::Index n = rate.size();
+  const auto loss_at = [&](Eigen::Index i) { return rate[(i % n + n) % n] > 0.0; };
+  Eigen::ArrayXd loaded = Eigen::ArrayXd::Ones(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    Eigen::Index before = 0;
+    Eigen::Index after = 0;
+    while (before < shortest_unloaded_stretch && !loss_at(i - before)) ++before;
+    while (after < shortest_unloaded_stretch && !loss_at(i + after)) ++after;
+    const bool long_stretch = before + after - 1 >= shortest_unloaded_stretch;
+    if (before >= 2 && after >= 2 && long_stretch) loaded[i] = 0.0;
+  }
+  return loaded;
+}
+
+}  // namespace
+
+SmoothedLoss smoothed(const Eigen::VectorXd& bin_edges, const Eigen::VectorXd& rate,
+                      const Eigen::MatrixXd& by_block) {
+  check(bin_edges, rate, by_block);
+  const double before = rate.sum();
+  if (before == 0.0) return {{bin_edges, rate}, 0.0, 0.0};
+  const Eigen::Index coefficients = std::min(most_coefficients, rate.size() / 2);
+  const double scale = rate.maxCoeff();
+  const auto fit = fit_periodic_spline(rate / scale, weights_from(by_block), coefficients);
+  Eigen::VectorXd after = fit.values.array().max(0.0) * loaded_places(rate);
+  if (!(after.sum() > 0.0)) throw ResultRejected("smoothing left nothing of the load");
+  after *= before / after.sum();
+  const double moved = 0.5 * (after - rate).lpNorm<1>() / before;
+  return {{bin_edges, after}, moved, fit.strength};
+}
+
+}  // namespace millwear::wear

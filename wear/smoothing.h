@@ -1,0 +1,33 @@
+#pragma once
+#include <Eigen/Core>
+
+#include "wear/arc_curve.h"
+
+namespace millwear::wear {
+
+/// A wear depth rate smoothed along the profile.
+struct SmoothedLoss {
+  ArcCurve rate;       ///< as the input: at the bins' centres, and between them
+  double moved_share;  ///< sum |after - before| width / 2 over sum before width, 0 ... 1
+  double strength;     ///< lambda of the penalty chosen by GCV; 0 where nothing was to smooth
+};
+
+/// Smooths the sampled loss along the profile: a periodic cubic B-spline with a coefficient for
+/// every two bins (at most 128), c minimising
+///     sum w_i (y_i - sum_j B_j(s_i) c_j)^2 + lambda^2 sum_j (c_(j-1) - 2 c_j + c_(j+1))^2,
+/// lambda by generalised cross-validation. The weight of a bin is 1 / variance of its mean over the
+/// time blocks, the variance averaged over the bin and two neighbours on each side and not below a
+/// hundredth of the mean variance; with fewer than two blocks all bins weigh the same.
+///
+/// What the spline then has to keep to: it is cut at zero; inside a stretch of three or more bins
+/// with no loss it is zero but for one bin at each end, so no steel is lost where nothing touched;
+/// and it is scaled so that sum(rate * width) is that of the input to 1e-12.
+///
+/// `rate` has one value per bin (at least 8, none negative), `by_block` bins x blocks; `bin_edges`
+/// even. Source: Eilers and Marx (1996), Statistical Science 11, 89; Golub, Heath and Wahba (1979),
+/// Technometrics 21, 215. Throws InputError for sizes that do not fit and negative rates, and
+/// ResultRejected where the fit fails.
+[[nodiscard]] SmoothedLoss smoothed(const Eigen::VectorXd& bin_edges, const Eigen::VectorXd& rate,
+                                    const Eigen::MatrixXd& by_block);
+
+}  // namespace millwear::wear

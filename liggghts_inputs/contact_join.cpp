@@ -1,0 +1,122 @@
+#include "liggghts_inputs/contact_join.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <utility>
+
+#include "mill/failure.h"
+
+namespace millwear::liggghts {
+namespace {
+
+constexpr double radius_tolerance = 1e-6;
+
+Eigen::Vector3d vector_at(std::span<const double> row, std::size_t column) {
+  return {row[column], row[column + 1], row[column + 2]};
+}
+
+}  // namespace
+
+ContactJoin::ContactJoin(const Case& mill, const StretchSteps& steps, Take take)
+    : classes_(mill.charge.classes),
+      slice_length_(mill.slice_length),
+      mill_speed_(mill.speed),
+      steps_(steps),
+      take_(std::move(take)),
+      row_of_particle_(totals(mill).particles + 1, 0) {}
+
+void ContactJoin::take_contacts(const Snapshot& contacts) {
+  waiting_contacts_.emplace(contacts.step, contacts);
+  join_ready();
+}
+
+void ContactJoin::take_spins(const Snapshot& spins) {
+  waiting_spins_.emplace(spins.step, spins);
+  join_ready();
+}
+
+void ContactJoin::finish() const {
+  if (!waiting_contacts_.empty() || !waiting_spins_.empty())
+    throw ResultRejected(
+        fmt::format("the dumps of wall contacts and spins do not hold the same steps (step {})",
+                    waiting_contacts_.empty() ? waiting_spins_.begin()->first
+                                              : waiting_contacts_.begin()->first));
+  if (samples_ != steps_.samples())
+    throw ResultRejected(fmt::format("the dumps hold {} samples of the wall contacts and not {}",
+                                     samples_, steps_.samples()));
+}
+
+void ContactJoin::join_ready() {
+  while (!waiting_contacts_.empty() && !waiting_spins_.empty()) {
+    const auto contacts = waiting_contacts_.begin();
+    const auto spins = waiting_spins_.begin();
+    if (contacts->first != spins->first) return finish();
+    join(contacts->second, spins->second);
+    waiting_contacts_.erase(contacts);
+    waiting_spins_.erase(spins);
+  }
+}
+
+void ContactJoin::join(const Snapshot& contacts, const Snapshot& spins) {
+  last_step_ = contacts.step;
+  // A dump writes a sample at its very start too where that step is a multiple of the interval.
+  if (contacts.step == steps_.settle_steps) return;
+  ++samples_;
+  index_spins(spins);
+  joined_.time = steps_.time_step * static_cast<double>(contacts.step - steps_.settle_steps);
+  joined_.mill_angle = mill_speed_ * steps_.time_step * static_cast<double>(contacts.step);
+  joined_.contacts.clear();
+  for (std::size_t i = 0; i < contacts.rows(); ++i)
+    joined_.contacts.push_back(contact_from(contacts.row(i), contacts.step));
+  take_(joined_);
+}
+
+void ContactJoin::index_spins(const Snapshot& spins) {
+  std::fill(row_of_particle_.begin(), row_of_particle_.end(), 0);
+  states_.clear();
+  for (std::size_t i = 0; i < spins.rows(); ++i) {
+    const auto row = spins.row(i);
+    const auto id = static_cast<std::size_t>(row[0]);
+    if (id >= row_of_particle_.size())
+      throw ResultRejected(
+          fmt::format("a particle {} that the charge does not have, at step {}", id, spins.step));
+    row_of_particle_[id] = static_cast<std::uint32_t>(i + 1);
+    states_.push_back({class_of(static_cast<std::size_t>(row[1]) - 1, row[2]), row[2],
+                       vector_at(row, 3), vector_at(row, 6), vector_at(row, 9)});
+  }
+}
+
+std::size_t ContactJoin::class_of(std::size_t material, double radius) const {
+  for (std::size_t c = 0; c < classes_.size(); ++c)
+    if (classes_[c].material == material &&
+        std::abs(2.0 * radius - classes_[c].diameter) < radius_tolerance * classes_[c].diameter)
+      return c;
+  throw ResultRejected(
+      fmt::format("a particle of radius {} m and atom type {} is of no class of the charge", radius,
+                  material + 1));
+}
+
+const ContactJoin::ParticleState& ContactJoin::state_of(double id, long step) const {
+  const auto index = static_cast<std::size_t>(id);
+  if (index >= row_of_particle_.size() || row_of_particle_[index] == 0)
+    throw ResultRejected(fmt::format(
+        "particle {} touches the wall at step {} but is not in the dump of spins", index, step));
+  return states_[row_of_particle_[index] - 1];
+}
+
+WallContact ContactJoin::contact_from(std::span<const double> row, long step) const {
+  const auto& particle = state_of(row[4], step);
+  const Eigen::Vector3d point = vector_at(row, 0);
+  Eigen::Vector3d arm = point - particle.centre;
+  arm.y() -= slice_length_ * std::round(arm.y() / slice_length_);
+  const Eigen::Vector3d into_wall = arm.normalized();
+  const Eigen::Vector3d wall_velocity(mill_speed_ * point.z(), 0.0, -mill_speed_ * point.x());
+  const Eigen::Vector3d relative = particle.velocity + particle.spin.cross(arm) - wall_velocity;
+  const double closing = relative.dot(into_wall);
+  return {point,   -vector_at(row, 5).dot(into_wall), (relative - closing * into_wall).norm(),
+          closing, particle.particle_class,           static_cast<std::size_t>(row[3])};
+}
+
+}  // namespace millwear::liggghts

@@ -1,0 +1,125 @@
+#include "liggghts_inputs/deck.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "deck_templates.h"
+#include "liggghts_inputs/deck_template.h"
+
+namespace millwear::liggghts {
+namespace {
+
+constexpr int thermo_lines = 200;
+constexpr int torque_values = 200;
+
+std::string number(double value) { return fmt::format("{}", value); }
+
+template <class Property>
+std::string by_material(const Case& mill, Property property) {
+  std::vector<double> values;
+  for (std::size_t m = 0; m < mill.materials.size(); ++m) values.push_back(property(m));
+  return fmt::format("{}", fmt::join(values, " "));
+}
+
+/// LIGGGHTS wants every pair; one that the case leaves out never touches, and any value will do.
+template <class Property>
+std::string by_pair(const Case& mill, Property property) {
+  std::vector<double> values;
+  for (std::size_t a = 0; a < mill.materials.size(); ++a)
+    for (std::size_t b = 0; b < mill.materials.size(); ++b) {
+      const auto found = std::ranges::find_if(mill.pairs, [&](const MaterialPair& pair) {
+        return (pair.first == a && pair.second == b) || (pair.first == b && pair.second == a);
+      });
+      values.push_back(property(found == mill.pairs.end() ? mill.pairs.front() : *found));
+    }
+  return fmt::format("{}", fmt::join(values, " "));
+}
+
+std::string liner_id(StretchKind kind, int cycle) {
+  return fmt::format("liner_{:03}{}", cycle, kind == StretchKind::mix ? "_mix" : "");
+}
+
+double least_radius(const LinerProfile& liner) {
+  double least = liner.sector.plate_radius;
+  for (const auto& node : liner.nodes) least = std::min(least, radius_of(liner.sector, node));
+  return least;
+}
+
+}  // namespace
+
+double neighbour_skin(const Case& mill) {
+  if (mill.dem.skin) return *mill.dem.skin;
+  double sum = 0.0;
+  for (const auto& kind : mill.charge.classes)
+    sum += 0.5 * kind.diameter * static_cast<double>(kind.count);
+  return 0.25 * sum / static_cast<double>(totals(mill).particles);
+}
+
+std::string contact_model_deck(const Case& mill, const StretchSteps& steps,
+                               const LinerMeshFile& mesh, StretchKind kind, int cycle) {
+  std::vector<std::string> names;
+  for (const auto& material : mill.materials) names.push_back(material.name);
+  const auto youngs_modulus = [&](std::size_t m) {
+    return 2.0 * softened_shear_modulus(mill, m) * (1.0 + mill.materials[m].poisson_ratio);
+  };
+  const bool cdt = mill.dem.rolling_friction == RollingFriction::cdt;
+  return filled_template(
+      contact_model_template,
+      {{"modulus_reduction", number(mill.dem.modulus_reduction)},
+       {"material_names", fmt::format("{}", fmt::join(names, " "))},
+       {"material_count", fmt::format("{}", mill.materials.size())},
+       {"youngs_moduli", by_material(mill, youngs_modulus)},
+       {"poisson_ratios",
+        by_material(mill, [&](std::size_t m) { return mill.materials[m].poisson_ratio; })},
+       {"restitutions", by_pair(mill, [](const MaterialPair& p) { return p.restitution; })},
+       {"sliding_frictions",
+        by_pair(mill, [](const MaterialPair& p) { return p.sliding_friction; })},
+       {"rolling_frictions",
+        by_pair(mill, [](const MaterialPair& p) { return p.rolling_friction; })},
+       {"rolling_friction_model", cdt ? "cdt" : "epsd2"},
+       {"time_step_s", number(steps.time_step)},
+       {"liner_id", liner_id(kind, cycle)},
+       {"stl_file", mesh.stl_file},
+       {"liner_type", fmt::format("{}", mill.liner_material + 1)},
+       {"period_s", number(2.0 * std::numbers::pi / mill.speed)}});
+}
+
+std::string mixing_deck(const Case& mill, const StretchSteps& steps) {
+  return filled_template(
+      mix_template,
+      {{"case_name", mill.name},
+       {"charge_file", file_names::charge},
+       {"skin_m", number(neighbour_skin(mill))},
+       {"contact_model_file", file_names::contact_model},
+       {"thermo_steps", fmt::format("{}", std::max(1L, steps.total() / thermo_lines))},
+       {"mix_steps", fmt::format("{}", steps.total())},
+       {"restart_file", file_names::restart},
+       {"sentinel", std::string(sentinel)}});
+}
+
+std::string measuring_deck(const Case& mill, const StretchSteps& steps, const LinerProfile& worn,
+                           const std::string& previous_restart) {
+  const double overlap = 0.02 * largest_diameter(mill);
+  return filled_template(
+      measure_template,
+      {{"case_name", mill.name},
+       {"previous_restart_file", previous_restart},
+       {"skin_m", number(neighbour_skin(mill))},
+       {"contact_model_file", file_names::contact_model},
+       {"near_wall_radius_m", number(least_radius(worn) - 0.5 * largest_diameter(mill) - overlap)},
+       {"thermo_steps", fmt::format("{}", std::max(1L, steps.total() / thermo_lines))},
+       {"settle_steps", fmt::format("{}", steps.settle_steps)},
+       {"sample_steps", fmt::format("{}", steps.sample_steps)},
+       {"contacts_file", file_names::contacts},
+       {"spins_file", file_names::spins},
+       {"torque_steps", fmt::format("{}", std::max(1L, steps.measure_steps / torque_values))},
+       {"torque_file", file_names::torque},
+       {"measure_steps", fmt::format("{}", steps.measure_steps)},
+       {"restart_file", file_names::restart},
+       {"sentinel", std::string(sentinel)}});
+}
+
+}  // namespace millwear::liggghts

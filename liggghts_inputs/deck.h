@@ -1,0 +1,49 @@
+#pragma once
+#include <string>
+
+#include "liggghts_inputs/stretch.h"
+#include "mill/case.h"
+
+namespace millwear::liggghts {
+
+/// The liner mesh as LIGGGHTS takes it.
+struct LinerMeshFile {
+  std::string stl_file;  ///< as the deck names it, relative to the folder LIGGGHTS runs in
+  std::size_t triangles;
+};
+
+/// The names of a stretch's files in the folder LIGGGHTS runs in.
+namespace file_names {
+inline constexpr const char* deck = "deck.in";
+inline constexpr const char* contact_model = "contact_model.in";
+inline constexpr const char* charge = "charge.data";
+inline constexpr const char* log = "liggghts.log";
+inline constexpr const char* restart = "charge.restart";
+inline constexpr const char* contacts = "contacts.dump";
+inline constexpr const char* spins = "spins.dump";
+inline constexpr const char* torque = "torque.txt";
+}  // namespace file_names
+
+/// The neighbour skin the deck uses [m]: the case's, or by default a quarter of the charge's mean
+/// radius by number.
+[[nodiscard]] double neighbour_skin(const Case& mill);
+
+/// Which mesh stands in the mill: every cycle's mesh has an ID of its own (see
+/// templates/contact_model.in), and a mixing stretch's differs from the measuring one's.
+enum class StretchKind { mix, measure };
+
+/// Contact model, materials and liner, shared by both kinds of stretch.
+[[nodiscard]] std::string contact_model_deck(const Case& mill, const StretchSteps& steps,
+                                             const LinerMeshFile& mesh, StretchKind kind,
+                                             int cycle);
+
+/// The deck of the first stretch: reads the packed charge, mixes it, writes a restart file.
+[[nodiscard]] std::string mixing_deck(const Case& mill, const StretchSteps& steps);
+
+/// The deck of a measuring stretch on `worn`, the liner of this cycle, from the charge that
+/// `previous_restart` (a path relative to the run's folder) holds.
+[[nodiscard]] std::string measuring_deck(const Case& mill, const StretchSteps& steps,
+                                         const LinerProfile& worn,
+                                         const std::string& previous_restart);
+
+}  // namespace millwear::liggghts

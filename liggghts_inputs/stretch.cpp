@@ -1,0 +1,62 @@
+#include "liggghts_inputs/stretch.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "liggghts_inputs/run_log.h"
+#include "mill/failure.h"
+
+namespace millwear::liggghts {
+namespace {
+
+long whole_pitches(double revolutions, int rows) {
+  return static_cast<long>(std::ceil(revolutions * rows - 1e-9));
+}
+
+}  // namespace
+
+double StretchSteps::settle_time() const { return time_step * static_cast<double>(settle_steps); }
+double StretchSteps::measure_time() const { return time_step * static_cast<double>(measure_steps); }
+long StretchSteps::samples() const { return total() / sample_steps - settle_steps / sample_steps; }
+double StretchSteps::sample_interval() const {
+  return time_step * static_cast<double>(sample_steps);
+}
+
+StretchSteps mixing_steps(const Case& mill, const StepPlan& plan) {
+  const long pitches = whole_pitches(mill.dem.mix_revolutions, mill.liner.sector.rows);
+  return {plan.time_step, pitches * plan.steps_per_pitch, 0, mill.dem.sample_every_steps};
+}
+
+StretchSteps measuring_steps(const Case& mill, const StepPlan& plan) {
+  const long pitches = whole_pitches(mill.dem.measure_revolutions, mill.liner.sector.rows);
+  return {plan.time_step, mill.dem.settle_pitches * plan.steps_per_pitch,
+          pitches * plan.steps_per_pitch, mill.dem.sample_every_steps};
+}
+
+void check_stretch_log(std::string_view log, const std::string& log_name,
+                       const StretchExpectation& expected) {
+  const RunLog run = read_run_log(log);
+  const auto reject = [&](const std::string& why) { throw ResultRejected(log_name + ": " + why); };
+  if (!run.error.empty()) reject("LIGGGHTS stopped: " + run.error);
+  if (!run.complete)
+    reject(
+        fmt::format("LIGGGHTS stopped half way, its last step was {} of {}; see this log for why",
+                    run.thermo.empty() ? 0 : run.thermo.back().step, expected.last_step));
+  if (run.triangles != expected.triangles)
+    reject(fmt::format("LIGGGHTS read {} of the mesh's {} triangles", run.triangles,
+                       expected.triangles));
+  for (const auto& line : run.thermo) {
+    if (line.atoms != expected.particles)
+      reject(fmt::format("{} of {} particles are left at step {}; particles were lost", line.atoms,
+                         expected.particles, line.step));
+    if (!std::isfinite(line.kinetic_energy) || !std::isfinite(line.spin_energy) ||
+        !std::isfinite(line.torque))
+      reject(fmt::format("energy or torque is not finite at step {}", line.step));
+  }
+  if (run.thermo.empty() || run.thermo.back().step != expected.last_step)
+    reject(fmt::format("the run ended at step {} and not at {}",
+                       run.thermo.empty() ? 0 : run.thermo.back().step, expected.last_step));
+}
+
+}  // namespace millwear::liggghts

@@ -1,0 +1,47 @@
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "mill/case.h"
+#include "mill/time_step.h"
+
+namespace millwear::liggghts {
+
+/// The last line a deck prints. LIGGGHTS can stop half way with exit code 0, so only this counts.
+inline constexpr std::string_view sentinel = "millwear: stretch complete";
+
+/// How a stretch's steps are laid out: both parts take whole pitches, so that a stretch begins and
+/// ends with lifter 0 at a place where another lifter stood.
+struct StretchSteps {
+  double time_step;    ///< [s]
+  long settle_steps;   ///< before anything is measured (the whole of a mixing stretch)
+  long measure_steps;  ///< 0 for a mixing stretch
+  long sample_steps;   ///< between two samples of the wall contacts
+  [[nodiscard]] long total() const { return settle_steps + measure_steps; }
+  [[nodiscard]] double settle_time() const;      ///< [s]
+  [[nodiscard]] double measure_time() const;     ///< [s]
+  [[nodiscard]] long samples() const;            ///< steps in (settle, total] that are sampled
+  [[nodiscard]] double sample_interval() const;  ///< [s]
+};
+
+/// Mixes for `dem.mix_revolutions`, rounded up to whole pitches.
+[[nodiscard]] StretchSteps mixing_steps(const Case& mill, const StepPlan& plan);
+
+/// Settles for `dem.settle_pitches`, then measures for `dem.measure_revolutions`, rounded up to
+/// whole pitches.
+[[nodiscard]] StretchSteps measuring_steps(const Case& mill, const StepPlan& plan);
+
+/// What LIGGGHTS's log of a stretch must show.
+struct StretchExpectation {
+  std::size_t particles;
+  std::size_t triangles;
+  long last_step;
+};
+
+/// Throws ResultRejected, naming `log_name` and what is missing, unless the log of a stretch shows
+/// the sentinel, every particle on every printed step, the whole mesh, finite energies and the last
+/// step.
+void check_stretch_log(std::string_view log, const std::string& log_name,
+                       const StretchExpectation& expected);
+
+}  // namespace millwear::liggghts

@@ -1,0 +1,47 @@
+#include "orchestrator/campaign.h"
+
+#include <fmt/format.h>
+
+namespace millwear::orchestrator {
+namespace {
+
+std::vector<StageKind> stages_of(int cycle) {
+  if (cycle == 0) return {StageKind::mesh, StageKind::mix, StageKind::dem, StageKind::wear};
+  return {StageKind::mesh, StageKind::dem, StageKind::wear};
+}
+
+std::string reason_for(const StageId& stage, const Ledger& ledger) {
+  if (ledger.entries.empty()) return "the campaign is new";
+  const auto& last = ledger.entries.back();
+  if (stage.kind == StageKind::mesh)
+    return fmt::format("{} left the liner above its limits", name_of(last.stage));
+  return fmt::format("{} is published and this is not", name_of(last.stage));
+}
+
+}  // namespace
+
+Outcome outcome_of(const Ledger& ledger) {
+  return ledger.entries.empty() ? Outcome::go_on : ledger.entries.back().outcome;
+}
+
+std::optional<NextStage> next_stage(const Ledger& ledger, int cycle_limit) {
+  if (outcome_of(ledger) != Outcome::go_on) return std::nullopt;
+  for (int cycle = 0; cycle < cycle_limit; ++cycle)
+    for (const StageKind kind : stages_of(cycle)) {
+      const StageId stage{cycle, kind};
+      if (ledger.find(stage) == nullptr) return NextStage{stage, reason_for(stage, ledger)};
+    }
+  return std::nullopt;
+}
+
+Ledger run_campaign(Ledger ledger, int cycle_limit, const CampaignEffects& effects) {
+  while (const auto next = next_stage(ledger, cycle_limit)) {
+    const LedgerEntry entry = effects.run_stage(next->stage);
+    effects.record(entry);
+    ledger.entries.push_back(entry);
+    if (next->stage.kind == StageKind::wear) effects.after_cycle(ledger);
+  }
+  return ledger;
+}
+
+}  // namespace millwear::orchestrator

@@ -1,0 +1,36 @@
+#pragma once
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "orchestrator/ledger.h"
+#include "orchestrator/stage.h"
+
+namespace millwear::orchestrator {
+
+/// What a campaign does next, and why.
+struct NextStage {
+  StageId stage;
+  std::string why;
+};
+
+/// The first stage of the campaign that the ledger does not have; std::nullopt once a cycle has
+/// reached a limit or `cycle_limit` cycles are done. Each cycle goes mesh, dem, wear, with mix
+/// before the first dem.
+[[nodiscard]] std::optional<NextStage> next_stage(const Ledger& ledger, int cycle_limit);
+
+/// How the campaign stands: the last outcome, or go_on.
+[[nodiscard]] Outcome outcome_of(const Ledger& ledger);
+
+/// What the campaign does to the world; tests put a fake in its place.
+struct CampaignEffects {
+  std::function<LedgerEntry(const StageId&)> run_stage;  ///< runs and publishes a stage
+  std::function<void(const LedgerEntry&)> record;        ///< appends to the ledger on disk
+  std::function<void(const Ledger&)> after_cycle;        ///< results so far
+};
+
+/// Runs stage after stage until there is none left; returns the finished ledger. Whatever an effect
+/// throws leaves every published stage in the ledger, and a later call goes on from there.
+Ledger run_campaign(Ledger ledger, int cycle_limit, const CampaignEffects& effects);
+
+}  // namespace millwear::orchestrator

@@ -1,0 +1,98 @@
+#include "orchestrator/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <array>
+
+#include "mill/failure.h"
+#include "orchestrator/version.h"
+
+namespace millwear::orchestrator {
+namespace {
+
+struct VerbText {
+  Verb verb;
+  const char* name;
+  const char* what;
+  const char* examples;
+};
+
+constexpr std::array<VerbText, 6> verbs = {{
+    {Verb::check, "check",
+     "Check a case file and print what would be simulated: counts, filling, time step, cost",
+     "  millwear check cases/pilot_mill/case.toml\n"
+     "  millwear check cases/seed_mill_8m/case.toml --json"},
+    {Verb::mesh, "mesh", "Write the liner's mesh (STL) and its section for CAD (STEP, DXF)",
+     "  millwear mesh cases/pilot_mill/case.toml --out mesh\n"
+     "  millwear mesh cases/pilot_mill/case.toml --profile worn.csv --out mesh"},
+    {Verb::deck, "deck", "Write the mesh and the LIGGGHTS decks, to read or to run by hand",
+     "  millwear deck cases/pilot_mill/case.toml --out deck\n"
+     "  cd deck/cycle_000/mix && mpirun -np 2 liggghts -in deck.in"},
+    {Verb::run, "run", "Wear the liner to its limit; the same command resumes what was stopped",
+     "  millwear run cases/pilot_mill/case.toml\n"
+     "  millwear run cases/pilot_mill/case.toml --out runs/try --ranks 2 --explain"},
+    {Verb::status, "status", "Say how far a campaign is",
+     "  millwear status cases/pilot_mill/case.toml"},
+    {Verb::report, "report", "Write the result files and report.html of a campaign so far",
+     "  millwear report cases/pilot_mill/case.toml --out runs/try"},
+}};
+
+void add_common_options(CLI::App& verb, Command& command) {
+  verb.add_option("case", command.case_file, "The case file (docs/case_file.md)")->required();
+  verb.add_option("--out", command.out, "Folder of the results; by default runs/NAME");
+  verb.add_flag_callback(
+      "--json", [&] { command.form = OutputForm::json; }, "Print results as JSON");
+  verb.add_flag_callback(
+      "-q,--quiet", [&] { command.verbosity = Verbosity::quiet; }, "Print errors only");
+  verb.add_flag_callback(
+      "-v,--verbose", [&] { command.verbosity = Verbosity::verbose; }, "Print more");
+}
+
+}  // namespace
+
+ParsedCommandLine parse_command_line(int argc, const char* const* argv) {
+  CLI::App app(
+      "Predicts how the lifters of a tumbling mill wear: gmsh meshes, LIGGGHTS loads, Archard's "
+      "law, again and again until the liner is worn out.",
+      "millwear");
+  app.set_version_flag("--version", program_version());
+  app.require_subcommand(1);
+  app.footer(
+      "\nStart with:\n  millwear check cases/pilot_mill/case.toml\n"
+      "  millwear run cases/pilot_mill/case.toml\n\n"
+      "Exit codes: 0 ok, 1 internal, 2 usage, 3 bad case file, 4 external program failed,\n"
+      "5 result rejected, 6 disk, 7 locked, 130/143 interrupted");
+  Command command{.verb = Verb::check,
+                  .case_file = {},
+                  .out = {},
+                  .form = OutputForm::text,
+                  .verbosity = Verbosity::normal,
+                  .dry_run = false,
+                  .explain = false,
+                  .ranks = {},
+                  .profile = {}};
+  for (const auto& text : verbs) {
+    CLI::App* const verb = app.add_subcommand(text.name, text.what);
+    verb->footer(std::string("\nExamples:\n") + text.examples);
+    verb->callback([&command, which = text.verb] { command.verb = which; });
+    add_common_options(*verb, command);
+    if (text.verb == Verb::run) {
+      verb->add_flag("--dry-run", command.dry_run, "Say which stages would run, and run none");
+      verb->add_flag("--explain", command.explain, "Say why each stage runs");
+    }
+    if (text.verb == Verb::run || text.verb == Verb::deck)
+      verb->add_option("--ranks", command.ranks, "MPI ranks, instead of the case's")
+          ->check(CLI::PositiveNumber);
+    if (text.verb == Verb::mesh || text.verb == Verb::deck)
+      verb->add_option("--profile", command.profile,
+                       "CSV of a worn profile (xi_m,eta_m) in place of the new one");
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& problem) {
+    const int code = app.exit(problem);
+    return {std::nullopt, code == 0 ? 0 : static_cast<int>(ExitCode::usage)};
+  }
+  return {command, 0};
+}
+
+}  // namespace millwear::orchestrator

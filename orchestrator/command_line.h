@@ -1,0 +1,35 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "orchestrator/progress.h"
+
+namespace millwear::orchestrator {
+
+enum class Verb { check, mesh, deck, run, status, report };
+
+enum class OutputForm { text, json };
+
+/// What the user asked for.
+struct Command {
+  Verb verb;
+  std::filesystem::path case_file;
+  std::filesystem::path out;  ///< empty: runs/NAME
+  OutputForm form;
+  Verbosity verbosity;
+  bool dry_run;                                  ///< run: say what would run, and run nothing
+  bool explain;                                  ///< run: say why each stage runs
+  std::optional<int> ranks;                      ///< instead of the case's
+  std::optional<std::filesystem::path> profile;  ///< mesh, deck: a worn profile instead of the new
+};
+
+/// The command, or the exit code with which the program ends at once (help, version, bad usage).
+struct ParsedCommandLine {
+  std::optional<Command> command;
+  int exit_code;
+};
+
+[[nodiscard]] ParsedCommandLine parse_command_line(int argc, const char* const* argv);
+
+}  // namespace millwear::orchestrator

@@ -1,0 +1,23 @@
+#include "orchestrator/cost_estimate.h"
+
+#include <algorithm>
+#include <thread>
+
+#include "liggghts_inputs/stretch.h"
+
+namespace millwear::orchestrator {
+
+int ranks_for(const Case& mill) {
+  return mill.dem.ranks > 0 ? mill.dem.ranks
+                            : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+CostEstimate estimate_cost(const Case& mill, int ranks) {
+  const auto plan = plan_steps(mill);
+  const double seconds_per_step =
+      static_cast<double>(totals(mill).particles) / (particle_steps_per_second * ranks);
+  return {seconds_per_step * static_cast<double>(liggghts::mixing_steps(mill, plan).total()),
+          seconds_per_step * static_cast<double>(liggghts::measuring_steps(mill, plan).total())};
+}
+
+}  // namespace millwear::orchestrator

@@ -1,0 +1,203 @@
+#include "orchestrator/gather.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "mill/case_warnings.h"
+#include "mill/time_step.h"
+#include "orchestrator/campaign.h"
+#include "orchestrator/load_rate.h"
+#include "wear/load_store.h"
+
+namespace millwear::orchestrator {
+namespace {
+
+constexpr double seconds_per_hour = 3600.0;
+constexpr double kilograms_per_tonne = 1000.0;
+
+std::vector<double> as_vector(const Eigen::VectorXd& values) {
+  return {values.begin(), values.end()};
+}
+
+/// Standard error of the sum over blocks, by bin: sqrt(n) times the scatter of a block.
+Eigen::VectorXd error_of_total(const Eigen::MatrixXd& by_block) {
+  const auto blocks = static_cast<double>(by_block.cols());
+  if (by_block.cols() < 2) return Eigen::VectorXd::Constant(by_block.rows(), std::nan(""));
+  const Eigen::VectorXd mean = by_block.rowwise().mean();
+  return ((by_block.colwise() - mean).rowwise().squaredNorm() * (blocks / (blocks - 1.0)))
+      .cwiseSqrt();
+}
+
+std::vector<Eigen::Vector2d> places_on(const LinerProfile& profile, const Eigen::VectorXd& at) {
+  const auto arc = arc_lengths(profile);
+  std::vector<Eigen::Vector2d> places;
+  std::size_t segment = 0;
+  for (const double s : at) {
+    while (segment + 2 < arc.size() && arc[segment + 1] < s) ++segment;
+    const double t = (s - arc[segment]) / (arc[segment + 1] - arc[segment]);
+    places.emplace_back((1.0 - t) * profile.nodes[segment] + t * profile.nodes[segment + 1]);
+  }
+  return places;
+}
+
+/// One measure of the load per surface of one lifter and per second, smoothed like the loss.
+LoadLine rate_line(const WallLoad& load, Measure measure, const Eigen::ArrayXd& divisor) {
+  const Eigen::MatrixXd by_block = load.by_block(measure);
+  const Eigen::VectorXd raw = load.total(measure).array() / divisor;
+  const Eigen::VectorXd error = error_of_total(by_block).array() / divisor;
+  const Eigen::MatrixXd block_rates =
+      (by_block.array().colwise() / divisor).matrix() * static_cast<double>(load.block_count);
+  const Eigen::VectorXd positive = raw.cwiseMax(0.0);
+  const auto smooth = positive.sum() > 0.0
+                          ? wear::smoothed(load.bin_edges, positive, block_rates).rate.values
+                          : positive;
+  return {as_vector(raw), as_vector(error), as_vector(smooth)};
+}
+
+LoadAlongProfile load_of_cycle(const Campaign& campaign, int cycle) {
+  const auto recorded =
+      wear::read_load(campaign.folder.stage({cycle, StageKind::dem}) / stage_files::load);
+  const LoadRate rate = rate_of_load(campaign.mill, recorded);
+  const auto& load = rate.load;
+  const Eigen::VectorXd widths = load.bin_widths();
+  const Eigen::VectorXd centres = load.bin_edges.head(load.bins()) + 0.5 * widths;
+  const Eigen::ArrayXd surface_time =
+      load.bin_area().array() * static_cast<double>(load.rows) * load.duration;
+  return {cycle,
+          as_vector(centres),
+          as_vector(widths),
+          places_on(liner_of_cycle(campaign, cycle), centres),
+          rate_line(load, Measure::samples, widths.array()),
+          rate_line(load, Measure::normal_dissipation, surface_time),
+          rate_line(load, Measure::sliding_work, surface_time),
+          {as_vector(rate.raw), {}, as_vector(rate.smoothed.rate.values)}};
+}
+
+HistoryRow row_of(const Campaign& campaign, const LinerProfile& liner, const Measured& measured,
+                  const StageId& stage, int step, double hours) {
+  const auto& fresh = campaign.mill.liner;
+  const auto feed = campaign.mill.feed_rate;
+  return {stage.cycle,
+          step,
+          hours,
+          feed ? *feed * hours * seconds_per_hour / kilograms_per_tonne : std::nan(""),
+          lifter_height(liner),
+          leading_face_angle(liner),
+          plate_thickness(liner),
+          steel_area(fresh) - steel_area(liner),
+          1.0 - lifter_area(liner) / lifter_area(fresh),
+          measured.power,
+          measured.charge.shoulder,
+          measured.charge.toe,
+          measured.power_error,
+          measured.charge.shoulder_error,
+          measured.charge.toe_error};
+}
+
+/// The power of a cycle by blocks of its measurement.
+PowerSeries power_of_cycle(int cycle, const Measured& measured, int blocks) {
+  PowerSeries series{cycle, {}, {}};
+  const std::size_t length = measured.power_series.size() / static_cast<std::size_t>(blocks);
+  for (int b = 0; b < blocks && length > 0; ++b) {
+    const auto first = static_cast<std::ptrdiff_t>(length) * b;
+    const auto last = first + static_cast<std::ptrdiff_t>(length);
+    const auto mean = [&](const std::vector<double>& values) {
+      return std::accumulate(values.begin() + first, values.begin() + last, 0.0) /
+             static_cast<double>(length);
+    };
+    series.time.push_back(mean(measured.power_times));
+    series.power.push_back(mean(measured.power_series));
+  }
+  return series;
+}
+
+void add_cycle(const Campaign& campaign, int cycle, ReportData& data) {
+  const auto& mill = campaign.mill;
+  const StageId wear_id{cycle, StageKind::wear};
+  const auto measured =
+      read_measured(campaign.folder.stage({cycle, StageKind::dem}) / stage_files::measured);
+  const auto kept =
+      read_cycle(campaign.folder.stage(wear_id) / stage_files::steps, mill.liner.sector);
+  if (cycle == 0) {
+    data.history.push_back(row_of(campaign, mill.liner, measured, wear_id, 0, 0.0));
+    data.profiles.push_back({0, 0, 0.0, mill.liner.nodes});
+  }
+  Conservation balance{cycle, 0.0, 0.0, kept.smoothing_moved_share, measured.rejected_share};
+  double hours = data.history.back().operating_hours;
+  for (std::size_t i = 0; i < kept.steps.size(); ++i) {
+    const auto& step = kept.steps[i];
+    const int number = static_cast<int>(i) + 1;
+    hours += step.duration / seconds_per_hour;
+    data.history.push_back(row_of(campaign, step.profile, measured, wear_id, number, hours));
+    data.profiles.push_back({cycle, number, hours, step.profile.nodes});
+    balance.removed += step.removed_area;
+    balance.accounted += step.accounted_area;
+  }
+  data.conservation.push_back(balance);
+  data.power.push_back(power_of_cycle(cycle, measured, mill.wear.time_blocks));
+  data.loads.push_back(load_of_cycle(campaign, cycle));
+}
+
+Life life_from(const Campaign& campaign, const Ledger& ledger, const ReportData& data) {
+  Life life{
+      outcome_of(ledger) != Outcome::go_on, 0.0, std::nan(""), std::nan(""), std::nan(""), ""};
+  if (!data.history.empty()) {
+    life.hours = data.history.back().operating_hours;
+    life.tonnes = data.history.back().tonnes;
+  }
+  const auto& limits = campaign.mill.campaign;
+  life.limit = outcome_of(ledger) == Outcome::plate_limit
+                   ? fmt::format("plate thickness {:g} mm", 1e3 * limits.plate_limit)
+                   : fmt::format("lifter height {:g} mm", 1e3 * limits.height_limit);
+  return life;
+}
+
+std::vector<LabelledValue> description_of(const Case& mill) {
+  const auto& sector = mill.liner.sector;
+  const double degree = std::numbers::pi / 180.0;
+  const auto plan = plan_steps(mill);
+  return {{"Mill", fmt::format("{:g} m inside the shell, {} lifters, slice of {:g} m",
+                               2.0 * sector.shell_radius, sector.rows, mill.slice_length)},
+          {"Speed",
+           fmt::format("{:.2f} rpm, {:.0f} % of critical", mill.speed * 30.0 / std::numbers::pi,
+                       100.0 * critical_speed_fraction(mill))},
+          {"Charge", fmt::format("{} particles, filling {:.1f} %", totals(mill).particles,
+                                 100.0 * computed_filling(mill))},
+          {"New lifter",
+           fmt::format("{:.0f} mm high, leading face {:.0f}° off upright",
+                       1e3 * lifter_height(mill.liner), leading_face_angle(mill.liner) / degree)},
+          {"Wear law", fmt::format("Archard, k = {:g} 1/Pa", mill.wear.specific_wear_rate)},
+          {"DEM", fmt::format("time step {:.3g} s, {} steps a revolution, moduli divided by {:g}",
+                              plan.time_step, plan.steps_per_revolution(sector.rows),
+                              mill.dem.modulus_reduction)}};
+}
+
+}  // namespace
+
+ReportData gather(const Campaign& campaign, const Ledger& ledger) {
+  const auto& mill = campaign.mill;
+  ReportData data{};
+  data.case_name = mill.name;
+  data.description = description_of(mill);
+  data.sector = mill.liner.sector;
+  data.height_limit = mill.campaign.height_limit;
+  data.plate_limit = mill.campaign.plate_limit;
+  data.warnings = warnings(mill);
+  for (int cycle = 0; ledger.find({cycle, StageKind::wear}) != nullptr; ++cycle)
+    add_cycle(campaign, cycle, data);
+  data.life = life_from(campaign, ledger, data);
+  double wall = 0.0;
+  for (const auto& entry : ledger.entries) wall += entry.wall_seconds;
+  data.provenance = {{"Program", ledger.start.program},
+                     {"Case", ledger.start.case_hash},
+                     {"Ranks", std::to_string(ledger.start.ranks)},
+                     {"Host", ledger.start.host},
+                     {"Seed of the packing", std::to_string(mill.dem.seed)},
+                     {"Wall time", spoken_time(wall)}};
+  return data;
+}
+
+}  // namespace millwear::orchestrator

@@ -1,0 +1,18 @@
+#pragma once
+#include "mill/case.h"
+#include "mill/wall_load.h"
+#include "wear/smoothing.h"
+
+namespace millwear::orchestrator {
+
+/// A cycle's load as bins and as the loss of steel it stands for.
+struct LoadRate {
+  WallLoad load;                ///< on the case's bins
+  Eigen::VectorXd raw;          ///< depth rate of every bin [m/s]
+  wear::SmoothedLoss smoothed;  ///< the same, smoothed along the profile
+};
+
+/// Lays the case's bins on a recorded load, applies the wear law and smooths the loss.
+[[nodiscard]] LoadRate rate_of_load(const Case& mill, const WallLoad& recorded);
+
+}  // namespace millwear::orchestrator

@@ -1,0 +1,50 @@
+#pragma once
+#include <filesystem>
+#include <vector>
+
+#include "mill/liner_profile.h"
+#include "wear/charge_position.h"
+
+namespace millwear::orchestrator {
+
+/// What a measuring stretch tells besides the load on the liner.
+struct Measured {
+  double power;                      ///< drawn by the slice [W], mean over the measurement
+  double power_error;                ///< its standard error from the time blocks [W]
+  std::vector<double> power_times;   ///< since the measurement began [s]
+  std::vector<double> power_series;  ///< [W], averaged since the time before
+  wear::ChargePosition charge;
+  long samples;
+  double rejected_share;  ///< of the contacts, farther from the profile than the mesh can be
+};
+
+/// Files of a stage, written into a folder that is published later. They throw DiskError where a
+/// file cannot be written, and ResultRejected where one cannot be understood.
+void write_measured(const std::filesystem::path& file, const Measured& measured);
+[[nodiscard]] Measured read_measured(const std::filesystem::path& file);
+
+/// One geometry step as it is kept.
+struct KeptStep {
+  double duration;        ///< [s]
+  double removed_area;    ///< from the profiles [m2]
+  double accounted_area;  ///< from the bins of the load [m2]
+  LinerProfile profile;   ///< after the step
+};
+
+/// All steps of one cycle.
+struct KeptCycle {
+  double smoothing_moved_share;
+  double worn_by_load;  ///< rate of loss summed over the bins of the raw load [m2/s]
+  std::vector<KeptStep> steps;
+};
+
+void write_cycle(const std::filesystem::path& file, const KeptCycle& cycle);
+/// `sector` is where the profiles belong.
+[[nodiscard]] KeptCycle read_cycle(const std::filesystem::path& file, const LinerSector& sector);
+
+/// Writes and syncs a whole file. Throws DiskError.
+void write_file(const std::filesystem::path& file, std::string_view text);
+/// Reads a whole file. Throws DiskError.
+[[nodiscard]] std::string read_file(const std::filesystem::path& file);
+
+}  // namespace millwear::orchestrator

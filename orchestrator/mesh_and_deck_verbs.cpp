@@ -1,0 +1,59 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "mill/case_file.h"
+#include "mill/profile_csv.h"
+#include "orchestrator/cost_estimate.h"
+#include "orchestrator/mesh_facts.h"
+#include "orchestrator/stages.h"
+#include "orchestrator/verbs.h"
+
+namespace millwear::orchestrator {
+namespace {
+
+namespace fs = std::filesystem;
+
+Case case_with_profile(const Command& command) {
+  Case mill = read_case(command.case_file);
+  if (command.profile) mill.liner = read_profile_csv(*command.profile, mill.liner.sector);
+  return mill;
+}
+
+fs::path folder_for(const Command& command, const Case& mill, const char* what) {
+  return command.out.empty() ? fs::path(what) / mill.name : command.out;
+}
+
+void print_folder(const Command& command, const fs::path& folder, const char* what) {
+  if (command.form == OutputForm::json)
+    fmt::print("{}\n", nlohmann::json{{"folder", folder.string()}}.dump());
+  else
+    fmt::print("{} in {}\n", what, folder.string());
+}
+
+}  // namespace
+
+void mesh_verb(const Command& command) {
+  const Case mill = case_with_profile(command);
+  const fs::path folder = folder_for(command, mill, "mesh");
+  fs::create_directories(folder);
+  write_mesh(mill, mill.liner, folder);
+  print_folder(command, folder, "liner.stl, profile.step, profile.dxf and mesh.json are");
+}
+
+void deck_verb(const Command& command) {
+  const Case mill = case_with_profile(command);
+  const Campaign campaign{
+      mill, {folder_for(command, mill, "deck")}, command.ranks.value_or(ranks_for(mill))};
+  const auto folder_of = [&](StageKind kind) {
+    const fs::path folder = campaign.folder.stage({0, kind});
+    fs::create_directories(folder);
+    return folder;
+  };
+  write_mesh(mill, mill.liner, folder_of(StageKind::mesh));
+  write_mixing_deck(campaign, folder_of(StageKind::mix));
+  write_measuring_deck(campaign, 0, folder_of(StageKind::dem));
+  print_folder(command, campaign.folder.root, "the decks (cycle_000/mix, then cycle_000/dem) are");
+}
+
+}  // namespace millwear::orchestrator

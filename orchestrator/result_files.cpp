@@ -1,0 +1,102 @@
+#include "orchestrator/result_files.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "mill/case_lock.h"
+#include "orchestrator/campaign.h"
+#include "orchestrator/report/report.h"
+#include "orchestrator/results/history.h"
+#include "orchestrator/results/profiles.h"
+#include "orchestrator/results/published_file.h"
+#include "orchestrator/version.h"
+#include "wear/load_accumulator.h"
+#include "wear/load_store.h"
+
+namespace millwear::orchestrator {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+json number(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
+
+/// LIGGGHTS's own line about its version, from the first log.
+std::string liggghts_version(const Campaign& campaign) {
+  const auto log = campaign.folder.stage({0, StageKind::mix}) / "liggghts.log";
+  if (!fs::exists(log)) return "";
+  const std::string text = read_file(log);
+  const auto start = text.find("LIGGGHTS (Version");
+  return start == std::string::npos ? "" : text.substr(start, text.find('\n', start) - start);
+}
+
+json outputs_of(const Ledger& ledger, const RunFolder& folder) {
+  json outputs = json::object();
+  for (const auto& entry : ledger.entries)
+    for (const auto& [name, hash] : entry.outputs)
+      outputs[(folder.stage(entry.stage) / name).lexically_relative(folder.root).string()] = hash;
+  return outputs;
+}
+
+std::string summary_json(const Campaign& campaign, const Ledger& ledger, const ReportData& data) {
+  const double removed = data.history.empty() ? 0.0 : data.history.back().worn_volume;
+  double accounted = 0.0;
+  for (const auto& cycle : data.conservation) accounted += cycle.accounted;
+  const json summary = {
+      {"type", "millwear summary"},
+      {"format_version", 1},
+      {"case", campaign.mill.name},
+      {"outcome", name_of(outcome_of(ledger))},
+      {"life_reached", data.life.reached},
+      {"life_hours", number(data.life.hours)},
+      {"life_hours_low", number(data.life.hours_low)},
+      {"life_hours_high", number(data.life.hours_high)},
+      {"life_tonnes", number(data.life.tonnes)},
+      {"limit", data.life.limit},
+      {"cycles", data.conservation.size()},
+      {"volume_removed_m3_per_m", removed},
+      {"volume_accounted_m3_per_m", accounted},
+      {"volume_error", accounted > 0.0 ? json(removed / accounted - 1.0) : json(nullptr)},
+      {"parameters", locked_case_text(campaign.mill)},
+      {"case_hash", ledger.start.case_hash},
+      {"versions", {{"millwear", program_version()}, {"liggghts", liggghts_version(campaign)}}},
+      {"seed", campaign.mill.dem.seed},
+      {"ranks", ledger.start.ranks},
+      {"host", ledger.start.host},
+      {"warnings", data.warnings},
+      {"outputs", outputs_of(ledger, campaign.folder)}};
+  return summary.dump(1) + "\n";
+}
+
+void publish_loads(const Campaign& campaign, const Ledger& ledger) {
+  std::vector<wear::StoredLoad> loads;
+  for (int cycle = 0; ledger.find({cycle, StageKind::wear}) != nullptr; ++cycle) {
+    const auto recorded =
+        wear::read_load(campaign.folder.stage({cycle, StageKind::dem}) / stage_files::load);
+    loads.push_back({cycle, wear::coarsened(recorded, wear::cells_per_bin)});
+  }
+  const fs::path file = campaign.folder.results() / "bins.h5";
+  const fs::path beside = campaign.folder.results() / ".bins.h5.partial";
+  wear::write_loads(beside, loads);
+  sync_path(beside);
+  fs::rename(beside, file);
+  sync_path(file.parent_path());
+}
+
+}  // namespace
+
+void publish_results(const Campaign& campaign, const Ledger& ledger, const ReportData& data) {
+  const fs::path folder = campaign.folder.results();
+  fs::create_directories(folder);
+  publish(folder / "history.csv", history_csv(data.history));
+  publish(folder / "profiles.csv", profiles_csv(data.profiles));
+  publish_loads(campaign, ledger);
+  publish(folder / "summary.json", summary_json(campaign, ledger, data));
+}
+
+void publish_report(const Campaign& campaign, const ReportData& data) {
+  publish(campaign.folder.report(), report_html(data));
+}
+
+}  // namespace millwear::orchestrator

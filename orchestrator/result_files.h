@@ -1,0 +1,13 @@
+#pragma once
+#include "orchestrator/report/report_data.h"
+#include "orchestrator/stages.h"
+
+namespace millwear::orchestrator {
+
+/// Writes results/history.csv, profiles.csv, bins.h5 and summary.json, each whole.
+void publish_results(const Campaign& campaign, const Ledger& ledger, const ReportData& data);
+
+/// Writes report.html.
+void publish_report(const Campaign& campaign, const ReportData& data);
+
+}  // namespace millwear::orchestrator

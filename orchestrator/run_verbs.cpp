@@ -1,0 +1,204 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "mill/case_file.h"
+#include "mill/case_lock.h"
+#include "mill/case_warnings.h"
+#include "mill/failure.h"
+#include "orchestrator/campaign.h"
+#include "orchestrator/cost_estimate.h"
+#include "orchestrator/gather.h"
+#include "orchestrator/result_files.h"
+#include "orchestrator/results/published_file.h"
+#include "orchestrator/run_lock.h"
+#include "orchestrator/stretch_run.h"
+#include "orchestrator/verbs.h"
+#include "orchestrator/version.h"
+
+namespace millwear::orchestrator {
+namespace {
+
+namespace fs = std::filesystem;
+
+RunFolder folder_of(const Command& command, const Case& mill) {
+  return {command.out.empty() ? fs::path("runs") / mill.name : command.out};
+}
+
+std::string host_name() {
+  std::array<char, 256> name{};
+  return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "unknown";
+}
+
+CampaignStart start_of(const Command& command, const Case& mill) {
+  return {program_version(), hash_of_text(locked_case_text(mill)),
+          command.ranks.value_or(ranks_for(mill)), host_name()};
+}
+
+/// The ledger in the folder, or a new one. Throws where the folder holds another case's campaign.
+Ledger ledger_for(const Command& command, const Case& mill, const RunFolder& folder) {
+  const CampaignStart start = start_of(command, mill);
+  auto ledger = read_ledger(folder.ledger());
+  if (!ledger) return {start, {}};
+  if (ledger->start.case_hash != start.case_hash)
+    throw InputError(fmt::format(
+        "{}: the case differs from the one that {} was begun with ({} has that one in full); run "
+        "into another folder with --out, or move this one away",
+        command.case_file.string(), folder.root.string(), folder.locked_case().string()));
+  if (command.ranks && *command.ranks != ledger->start.ranks)
+    throw Failure(ExitCode::usage,
+                  fmt::format("{} was begun with {} ranks and goes on with the same; leave --ranks "
+                              "out, or run into another folder with --out",
+                              folder.root.string(), ledger->start.ranks));
+  check_outputs(*ledger, folder.root);
+  return *ledger;
+}
+
+/// The campaign in the folder; throws if there is none.
+Ledger existing_ledger(const Command& command, const RunFolder& folder) {
+  auto ledger = read_ledger(folder.ledger());
+  if (!ledger)
+    throw Failure(ExitCode::usage,
+                  fmt::format("{}: no campaign is here; start one with `millwear run {}`",
+                              folder.root.string(), command.case_file.string()));
+  return *ledger;
+}
+
+std::string spoken_outcome(const ReportData& data) {
+  if (data.history.empty()) return "no cycle is finished yet";
+  const auto& last = data.history.back();
+  return fmt::format("{} {:.0f} h: lifter {:.1f} mm high, plate {:.1f} mm thick, {} cycles",
+                     data.life.reached ? "worn out at" : "worn for", last.operating_hours,
+                     1e3 * last.lifter_height, 1e3 * last.plate_thickness,
+                     data.conservation.size());
+}
+
+void print_outcome(const Command& command, const RunFolder& folder, const ReportData& data) {
+  if (command.form == OutputForm::json) {
+    fmt::print("{}\n", read_file(folder.results() / "summary.json"));
+    return;
+  }
+  fmt::print("{}\nreport: {}\n", spoken_outcome(data), folder.report().string());
+}
+
+/// What a stage adds to the share of the liner's life: measuring and wearing take a cycle's share.
+struct StageShare {
+  double before;
+  double after;
+};
+
+StageShare share_of(const Campaign& campaign, const StageId& stage) {
+  const double now = share_of_life(campaign.mill, liner_of_cycle(campaign, stage.cycle));
+  if (stage.kind != StageKind::dem) return {now, now};
+  const double earlier =
+      stage.cycle == 0 ? 0.0
+                       : share_of_life(campaign.mill, liner_of_cycle(campaign, stage.cycle - 1));
+  const double gain = stage.cycle == 0 ? campaign.mill.campaign.threshold : now - earlier;
+  return {now, std::min(1.0, now + gain)};
+}
+
+LedgerEntry run_and_tell(const Campaign& campaign, const StageId& stage, Progress& progress) {
+  const auto share = share_of(campaign, stage);
+  progress.begin(name_of(stage), share.before, share.after);
+  const LedgerEntry entry = run_stage(campaign, stage, progress);
+  progress.end();
+  progress.detail(fmt::format("{} took {:.2f} s", name_of(stage), entry.wall_seconds));
+  return entry;
+}
+
+void explain_campaign(const Command& command, const Ledger& ledger, const Case& mill) {
+  if (const auto next = next_stage(ledger, mill.campaign.cycle_limit))
+    fmt::print("{} would run next, because {}; then the rest of the campaign\n",
+               name_of(next->stage), next->why);
+  else
+    fmt::print("nothing is left to run: the campaign ended ({})\n", name_of(outcome_of(ledger)));
+  if (command.explain)
+    for (const auto& entry : ledger.entries)
+      fmt::print("{} is up to date: its {} files are as they were published\n",
+                 name_of(entry.stage), entry.outputs.size());
+}
+
+}  // namespace
+
+void run_verb(const Command& command) {
+  Case mill = read_case(command.case_file);
+  const RunFolder folder = folder_of(command, mill);
+  if (command.dry_run) return explain_campaign(command, ledger_for(command, mill, folder), mill);
+  check_liggghts_is_installed();
+
+  fs::create_directories(folder.root);
+  const RunLock lock(folder.lock());
+  const Ledger ledger = ledger_for(command, mill, folder);
+  if (ledger.entries.empty()) {
+    publish(folder.locked_case(), locked_case_text(mill));
+    begin_ledger(folder.ledger(), ledger.start);
+  }
+  if (command.explain) explain_campaign(command, ledger, mill);
+
+  Progress progress(command.verbosity);
+  for (const auto& warning : warnings(mill)) progress.say("warning: " + warning);
+  const Campaign campaign{std::move(mill), folder, ledger.start.ranks};
+  const CampaignEffects effects{
+      [&](const StageId& stage) { return run_and_tell(campaign, stage, progress); },
+      [&](const LedgerEntry& entry) { append_entry(folder.ledger(), entry); },
+      [&](const Ledger& so_far) {
+        const ReportData data = gather(campaign, so_far);
+        publish_results(campaign, so_far, data);
+        publish_report(campaign, data);
+        progress.say(
+            fmt::format("cycle {}: {}", so_far.entries.back().stage.cycle, spoken_outcome(data)));
+      }};
+  const Ledger finished = run_campaign(ledger, campaign.mill.campaign.cycle_limit, effects);
+  // The results may have been lost with an earlier process: what is published is cheap to gather.
+  const ReportData data = gather(campaign, finished);
+  publish_results(campaign, finished, data);
+  publish_report(campaign, data);
+  print_outcome(command, folder, data);
+}
+
+void status_verb(const Command& command) {
+  const Case mill = read_case(command.case_file);
+  const RunFolder folder = folder_of(command, mill);
+  const Ledger ledger = existing_ledger(command, folder);
+  const Campaign campaign{mill, folder, ledger.start.ranks};
+  const bool running = is_locked(folder.lock());
+  const auto next = next_stage(ledger, mill.campaign.cycle_limit);
+  int next_cycle = 0;
+  while (ledger.find({next_cycle, StageKind::wear}) != nullptr) ++next_cycle;
+  const LinerProfile liner = liner_of_cycle(campaign, next_cycle);
+  if (command.form == OutputForm::json) {
+    fmt::print("{}\n", nlohmann::json{{"running", running},
+                                      {"outcome", name_of(outcome_of(ledger))},
+                                      {"cycles", next_cycle},
+                                      {"next", next ? name_of(next->stage) : ""},
+                                      {"lifter_height_m", lifter_height(liner)},
+                                      {"share_of_life", share_of_life(mill, liner)}}
+                           .dump(1));
+    return;
+  }
+  fmt::print("{}: {} cycles done, lifter {:.1f} mm high, {:.0f} % of the way to its limit\n",
+             folder.root.string(), next_cycle, 1e3 * lifter_height(liner),
+             100.0 * share_of_life(mill, liner));
+  if (running)
+    fmt::print("running: {}\n", next ? name_of(next->stage) : "gathering the results");
+  else if (next)
+    fmt::print("not running; `millwear run {}` goes on with {}\n", command.case_file.string(),
+               name_of(next->stage));
+  else
+    fmt::print("finished: {}\n", name_of(outcome_of(ledger)));
+}
+
+void report_verb(const Command& command) {
+  const Case mill = read_case(command.case_file);
+  const RunFolder folder = folder_of(command, mill);
+  const Ledger ledger = existing_ledger(command, folder);
+  const Campaign campaign{mill, folder, ledger.start.ranks};
+  const ReportData data = gather(campaign, ledger);
+  publish_results(campaign, ledger, data);
+  publish_report(campaign, data);
+  print_outcome(command, folder, data);
+}
+
+}  // namespace millwear::orchestrator

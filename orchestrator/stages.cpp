@@ -1,0 +1,91 @@
+#include "orchestrator/stages.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+
+#include "mill/failure.h"
+
+namespace millwear::orchestrator {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::map<std::string, std::string> synced_outputs(const fs::path& folder) {
+  std::map<std::string, std::string> outputs;
+  for (const auto& file : fs::directory_iterator(folder)) {
+    sync_path(file.path());
+    outputs[file.path().filename().string()] = hash_of_file(file.path());
+  }
+  return outputs;
+}
+
+Outcome work_of(const Campaign& campaign, const StageId& stage, const fs::path& into,
+                Progress& progress) {
+  switch (stage.kind) {
+    case StageKind::mesh:
+      mesh_stage(campaign, stage.cycle, into);
+      return Outcome::go_on;
+    case StageKind::mix:
+      mix_stage(campaign, into, progress);
+      return Outcome::go_on;
+    case StageKind::dem:
+      dem_stage(campaign, stage.cycle, into, progress);
+      return Outcome::go_on;
+    case StageKind::wear:
+      return wear_stage(campaign, stage.cycle, into);
+  }
+  throw std::logic_error("a stage of no kind");
+}
+
+}  // namespace
+
+void sync_path(const fs::path& path) {
+  const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool synced = fd >= 0 && ::fsync(fd) == 0;
+  const int problem = errno;
+  if (fd >= 0) ::close(fd);
+  if (!synced)
+    throw DiskError(fmt::format("{}: cannot be synced: {}", path.string(), std::strerror(problem)));
+}
+
+LinerProfile liner_of_cycle(const Campaign& campaign, int cycle) {
+  if (cycle == 0) return campaign.mill.liner;
+  const auto folder = campaign.folder.stage({cycle - 1, StageKind::wear});
+  return read_cycle(folder / stage_files::steps, campaign.mill.liner.sector).steps.back().profile;
+}
+
+double share_of_life(const Case& mill, const LinerProfile& liner) {
+  const auto gone = [](double now, double fresh, double limit) {
+    return fresh > limit ? (fresh - now) / (fresh - limit) : 1.0;
+  };
+  return std::clamp(
+      std::max(
+          gone(lifter_height(liner), lifter_height(mill.liner), mill.campaign.height_limit),
+          gone(plate_thickness(liner), plate_thickness(mill.liner), mill.campaign.plate_limit)),
+      0.0, 1.0);
+}
+
+LedgerEntry run_stage(const Campaign& campaign, const StageId& stage, Progress& progress) {
+  const auto started = std::chrono::steady_clock::now();
+  const fs::path partial = campaign.folder.partial_stage(stage);
+  const fs::path final_folder = campaign.folder.stage(stage);
+  fs::remove_all(partial);
+  fs::remove_all(final_folder);
+  fs::create_directories(partial);
+
+  const Outcome outcome = work_of(campaign, stage, partial, progress);
+  const auto outputs = synced_outputs(partial);
+  sync_path(partial);
+  fs::rename(partial, final_folder);
+  sync_path(final_folder.parent_path());
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - started;
+  return {stage, outcome, outputs, taken.count()};
+}
+
+}  // namespace millwear::orchestrator

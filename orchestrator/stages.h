@@ -1,0 +1,43 @@
+#pragma once
+#include "mill/case.h"
+#include "orchestrator/ledger.h"
+#include "orchestrator/measured.h"
+#include "orchestrator/progress.h"
+#include "orchestrator/run_folder.h"
+
+namespace millwear::orchestrator {
+
+/// What every stage of a campaign needs to know.
+struct Campaign {
+  Case mill;
+  RunFolder folder;
+  int ranks;
+};
+
+/// The liner that a cycle begins with: the new one, or what the cycle before left.
+[[nodiscard]] LinerProfile liner_of_cycle(const Campaign& campaign, int cycle);
+
+/// Share of the way from the new lifter to its limit, 0 ... 1, that a liner has gone.
+[[nodiscard]] double share_of_life(const Case& mill, const LinerProfile& liner);
+
+/// Runs one stage in a folder beside its own and publishes it by a rename; what an earlier attempt
+/// left is removed. Returns what the ledger is to hold.
+[[nodiscard]] LedgerEntry run_stage(const Campaign& campaign, const StageId& stage,
+                                    Progress& progress);
+
+/// Makes sure a file or folder is on the disk. Throws DiskError.
+void sync_path(const std::filesystem::path& path);
+
+/// The work of each stage, into `into`; `wear` tells how it leaves the liner.
+void mesh_stage(const Campaign& campaign, int cycle, const std::filesystem::path& into);
+void mix_stage(const Campaign& campaign, const std::filesystem::path& into, Progress& progress);
+void dem_stage(const Campaign& campaign, int cycle, const std::filesystem::path& into,
+               Progress& progress);
+[[nodiscard]] Outcome wear_stage(const Campaign& campaign, int cycle,
+                                 const std::filesystem::path& into);
+
+/// The decks of a stretch and, for a mixing one, its charge, written into `into`.
+void write_mixing_deck(const Campaign& campaign, const std::filesystem::path& into);
+void write_measuring_deck(const Campaign& campaign, int cycle, const std::filesystem::path& into);
+
+}  // namespace millwear::orchestrator

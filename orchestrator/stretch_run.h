@@ -1,0 +1,37 @@
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <string_view>
+#include <vector>
+
+namespace millwear::orchestrator {
+
+/// LIGGGHTS on one deck, in the folder where the deck lies.
+struct StretchRun {
+  std::filesystem::path folder;
+  int ranks;
+  /// Called with every line LIGGGHTS prints, for progress.
+  std::function<void(std::string_view)> take_line;
+};
+
+/// A named pipe in the run's folder that LIGGGHTS writes a dump into, and who reads it.
+struct DumpPipe {
+  const char* name;
+  std::function<void(std::string_view)> take;
+};
+
+/// Throws ExternalProgramError, naming the Debian package, if mpirun or liggghts is missing.
+void check_liggghts_is_installed();
+
+/// Runs the deck to its end, feeding the dumps to their readers as they come; what LIGGGHTS prints
+/// is kept in its log file in the folder. The pipes are made before and removed after.
+/// Returns the exit code, which proves nothing: check the log (liggghts_inputs/stretch.h).
+/// Throws ExternalProgramError if mpirun or liggghts is missing, DiskError where the log cannot be
+/// written, Interrupted, and whatever a reader throws; LIGGGHTS is then stopped.
+int run_liggghts(const StretchRun& run, const std::vector<DumpPipe>& pipes);
+
+/// Feeds a dump that was kept as a file to its reader.
+void read_dump_file(const std::filesystem::path& file,
+                    const std::function<void(std::string_view)>& take);
+
+}  // namespace millwear::orchestrator

@@ -1,0 +1,192 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "liggghts_inputs/charge_packing.h"
+#include "liggghts_inputs/contact_join.h"
+#include "liggghts_inputs/deck.h"
+#include "liggghts_inputs/run_log.h"
+#include "liggghts_inputs/torque_series.h"
+#include "mill/failure.h"
+#include "orchestrator/mesh_facts.h"
+#include "orchestrator/stages.h"
+#include "orchestrator/stretch_run.h"
+#include "wear/load_accumulator.h"
+#include "wear/load_store.h"
+
+namespace millwear::orchestrator {
+namespace {
+
+namespace fs = std::filesystem;
+namespace names = liggghts::file_names;
+
+constexpr double largest_rejected_share = 1e-3;
+constexpr std::uintmax_t restart_bytes_per_particle = 100;
+constexpr std::uintmax_t spare_disk_bytes = 64 << 20;
+constexpr std::uintmax_t dump_bytes_per_particle = 200;
+
+const char* const mesh_from_stage = "../mesh/liner.stl";
+
+std::string previous_restart(int cycle) {
+  return cycle == 0 ? fmt::format("../mix/{}", names::restart)
+                    : fmt::format("../../cycle_{:03}/dem/{}", cycle - 1, names::restart);
+}
+
+liggghts::LinerMeshFile mesh_of(const Campaign& campaign, int cycle) {
+  return {mesh_from_stage, triangles_of_mesh(campaign.folder.stage({cycle, StageKind::mesh}))};
+}
+
+void check_free_disk(const Case& mill, const liggghts::StretchSteps& steps, const fs::path& into) {
+  const auto particles = static_cast<std::uintmax_t>(totals(mill).particles);
+  std::uintmax_t needed = spare_disk_bytes + 2 * 1000 * particles;
+  if (mill.dem.keep_dumps)
+    needed += static_cast<std::uintmax_t>(steps.samples()) * particles * dump_bytes_per_particle;
+  const auto free = fs::space(into).available;
+  if (free < needed)
+    throw DiskError(
+        fmt::format("{}: {} MB are free and this stretch needs {} MB; free some, or "
+                    "give --out a folder on another disk",
+                    into.string(), free >> 20, (needed >> 20) + 1));
+}
+
+void check_stretch(const Campaign& campaign, int cycle, const liggghts::StretchSteps& steps,
+                   const fs::path& into) {
+  const fs::path log = into / names::log;
+  const std::size_t particles = totals(campaign.mill).particles;
+  liggghts::check_stretch_log(read_file(log), log.string(),
+                              {particles, mesh_of(campaign, cycle).triangles, steps.total()});
+  const fs::path restart = into / names::restart;
+  if (!fs::exists(restart) || fs::file_size(restart) < restart_bytes_per_particle * particles)
+    throw ResultRejected(fmt::format("{}: too short for {} particles; is the disk full?",
+                                     restart.string(), particles));
+}
+
+/// Follows LIGGGHTS's printed steps, of which settling starts at 0 and nothing else.
+std::function<void(std::string_view)> step_follower(const liggghts::StretchSteps& steps,
+                                                    Progress& progress) {
+  return [&progress, total = static_cast<double>(steps.total())](std::string_view line) {
+    liggghts::ThermoLine thermo{};
+    if (liggghts::read_thermo_line(line, thermo))
+      progress.advance(static_cast<double>(thermo.step) / total);
+  };
+}
+
+struct Mean {
+  double value;
+  double error;
+};
+
+/// Mean of a series and its standard error from `blocks` consecutive parts.
+Mean mean_by_blocks(const std::vector<double>& series, int blocks) {
+  const double mean =
+      std::accumulate(series.begin(), series.end(), 0.0) / static_cast<double>(series.size());
+  const std::size_t length = series.size() / static_cast<std::size_t>(blocks);
+  if (blocks < 2 || length == 0) return {mean, std::nan("")};
+  double squares = 0.0;
+  for (int b = 0; b < blocks; ++b) {
+    const auto first = series.begin() + static_cast<std::ptrdiff_t>(length) * b;
+    const double block = std::accumulate(first, first + static_cast<std::ptrdiff_t>(length), 0.0) /
+                         static_cast<double>(length);
+    squares += (block - mean) * (block - mean);
+  }
+  return {mean, std::sqrt(squares / (blocks * (blocks - 1.0)))};
+}
+
+Measured measured_from(const Case& mill, const liggghts::StretchSteps& steps,
+                       const wear::LoadAccumulator& load, const fs::path& torque_file) {
+  const auto torque = liggghts::read_torque_series(read_file(torque_file), torque_file.string());
+  const long last = torque.empty() ? 0 : torque.back().step;
+  const long interval =
+      torque.size() < 2 ? steps.measure_steps : last - torque[torque.size() - 2].step;
+  if (steps.total() - last >= interval)
+    throw ResultRejected(
+        fmt::format("{}: ends at step {} of {}", torque_file.string(), last, steps.total()));
+  Measured measured{};
+  for (const auto& value : torque) {
+    measured.power_times.push_back(steps.time_step *
+                                   static_cast<double>(value.step - steps.settle_steps));
+    measured.power_series.push_back(-value.torque * mill.speed);
+  }
+  const Mean power = mean_by_blocks(measured.power_series, mill.wear.time_blocks);
+  measured.power = power.value;
+  measured.power_error = power.error;
+  measured.charge = wear::charge_position(load.charge_angles());
+  measured.samples = steps.samples();
+  measured.rejected_share = wear::rejected_share(load.load());
+  return measured;
+}
+
+}  // namespace
+
+void write_mixing_deck(const Campaign& campaign, const fs::path& into) {
+  const auto& mill = campaign.mill;
+  const auto steps = liggghts::mixing_steps(mill, plan_steps(mill));
+  write_file(into / names::charge, liggghts::charge_data_file(mill, liggghts::pack_charge(mill)));
+  write_file(into / names::deck, liggghts::mixing_deck(mill, steps));
+  write_file(into / names::contact_model,
+             liggghts::contact_model_deck(mill, steps, mesh_of(campaign, 0),
+                                          liggghts::StretchKind::mix, 0));
+}
+
+void write_measuring_deck(const Campaign& campaign, int cycle, const fs::path& into) {
+  const auto& mill = campaign.mill;
+  const auto steps = liggghts::measuring_steps(mill, plan_steps(mill));
+  write_file(into / names::deck,
+             liggghts::measuring_deck(mill, steps, liner_of_cycle(campaign, cycle),
+                                      previous_restart(cycle)));
+  write_file(into / names::contact_model,
+             liggghts::contact_model_deck(mill, steps, mesh_of(campaign, cycle),
+                                          liggghts::StretchKind::measure, cycle));
+}
+
+void mix_stage(const Campaign& campaign, const fs::path& into, Progress& progress) {
+  const auto steps = liggghts::mixing_steps(campaign.mill, plan_steps(campaign.mill));
+  check_free_disk(campaign.mill, steps, into);
+  write_mixing_deck(campaign, into);
+  run_liggghts({into, campaign.ranks, step_follower(steps, progress)}, {});
+  check_stretch(campaign, 0, steps, into);
+}
+
+void dem_stage(const Campaign& campaign, int cycle, const fs::path& into, Progress& progress) {
+  const auto& mill = campaign.mill;
+  const auto steps = liggghts::measuring_steps(mill, plan_steps(mill));
+  check_free_disk(mill, steps, into);
+  write_measuring_deck(campaign, cycle, into);
+
+  wear::LoadAccumulator load(
+      liner_of_cycle(campaign, cycle),
+      {.bins = mill.wear.bins,
+       .class_count = mill.charge.classes.size(),
+       .block_count = static_cast<std::size_t>(mill.wear.time_blocks),
+       .slice_length = mill.slice_length,
+       .duration = steps.measure_time(),
+       .sample_interval = steps.sample_interval(),
+       .contact_limit = 1.5 * mesh_tolerance(mill) + 0.02 * largest_diameter(mill)});
+  liggghts::ContactJoin join(mill, steps, [&](const WallContacts& sample) { load.add(sample); });
+  liggghts::SnapshotReader contacts(
+      (into / names::contacts).string(), liggghts::contact_columns,
+      [&](const liggghts::Snapshot& snapshot) { join.take_contacts(snapshot); });
+  liggghts::SnapshotReader spins(
+      (into / names::spins).string(), liggghts::spin_columns,
+      [&](const liggghts::Snapshot& snapshot) { join.take_spins(snapshot); });
+  const std::vector<DumpPipe> dumps = {
+      {names::contacts, [&](std::string_view piece) { contacts.feed(piece); }},
+      {names::spins, [&](std::string_view piece) { spins.feed(piece); }}};
+
+  run_liggghts({into, campaign.ranks, step_follower(steps, progress)},
+               mill.dem.keep_dumps ? std::vector<DumpPipe>{} : dumps);
+  check_stretch(campaign, cycle, steps, into);
+  if (mill.dem.keep_dumps)
+    for (const auto& dump : dumps) read_dump_file(into / dump.name, dump.take);
+  contacts.finish();
+  spins.finish();
+  join.finish();
+  wear::check_rejected_share(load.load(), largest_rejected_share);
+
+  wear::write_load(into / stage_files::load, load.load());
+  write_measured(into / stage_files::measured,
+                 measured_from(mill, steps, load, into / names::torque));
+}
+
+}  // namespace millwear::orchestrator

@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 
-#include "mill/case_schema.h"
 #include "mill/case_schema_check.h"
 #include "mill/case_units.h"
 #include "mill/case_values.h"

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <set>
 
-#include "mill/case_text.h"
 #include "mill/time_step.h"
 
 namespace millwear {
@@ -42,12 +42,12 @@ void check_profile(const Case& mill, const CaseDocument& document, CaseProblems&
       return;
     }
     if (std::abs(angle_of(liner.sector, node)) > 0.5 * liner.sector.pitch() + slack) {
-      problems.add(line,
-                   fmt::format("the profile leaves its sector (node {} at ({:.4f}, {:.4f}) m "
-                               "is {:.3f} degrees from the lifter's centre, half a pitch is "
-                               "{:.3f}); lower `rows` or mend the node",
-                               i, node.x(), node.y(), angle_of(liner.sector, node) * 180.0 / M_PI,
-                               90.0 * liner.sector.pitch() / M_PI));
+      problems.add(line, fmt::format("the profile leaves its sector (node {} at ({:.4f}, {:.4f}) m "
+                                     "is {:.3f} degrees from the lifter's centre, half a pitch is "
+                                     "{:.3f}); lower `rows` or mend the node",
+                                     i, node.x(), node.y(),
+                                     angle_of(liner.sector, node) * 180.0 / std::numbers::pi,
+                                     90.0 * liner.sector.pitch() / std::numbers::pi));
       return;
     }
   }

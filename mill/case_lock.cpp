@@ -40,9 +40,9 @@ void write_mill(const Case& mill, LockWriter& lock) {
   lock.key("shell_diameter_m", 2.0 * mill.liner.sector.shell_radius);
   lock.key("slice_length_m", mill.slice_length);
   lock.key("rows", mill.liner.sector.rows);
-  lock.key("speed_rpm", unconverted(mill.speed, speed_from_rpm));
+  lock.key("speed_rpm", mill.speed / speed_from_rpm(1.0));
   if (mill.feed_rate) {
-    lock.key("feed_rate_t_per_h", unconverted(*mill.feed_rate, feed_from_t_per_h));
+    lock.key("feed_rate_t_per_h", *mill.feed_rate / feed_from_t_per_h(1.0));
   }
 }
 

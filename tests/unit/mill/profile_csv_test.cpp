@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 #include <unistd.h>
 
 #include <fstream>
@@ -50,6 +51,7 @@ TEST_F(ProfileCsv, FindsColumnsByName) {
 TEST_F(ProfileCsv, NamesTheLineOfAnError) {
   EXPECT_THAT(refusal("xi_m,eta_m\n0,0\n0.1,zero\n"),
               testing::StartsWith(":3: `zero` is not a number"));
+  EXPECT_THAT(refusal("xi_m,eta_m\n0,0.1 m\n"), testing::StartsWith(":2: `0.1 m` is not a number"));
   EXPECT_THAT(refusal("xi_m,eta_m\n0,nan\n"), testing::StartsWith(":2: `nan` is not a number"));
   EXPECT_THAT(refusal("xi_m,eta_m\n0.1\n"), testing::StartsWith(":2: 1 values where"));
   EXPECT_THAT(refusal("x,y\n0,0\n"), testing::StartsWith(":1: no column `xi_m`"));
@@ -79,6 +81,16 @@ TEST(CompletedProfile, LifterAloneGetsItsPlate) {
 TEST(CompletedProfile, WholePitchStaysToTheBit) {
   const LinerProfile whole = profile_of(sector, {0.04, 0.05, 0.3, 0.2}, PlateShape::straight);
   EXPECT_EQ(completed_profile(sector, whole.nodes).nodes, whole.nodes);
+}
+
+// Ends once put on the sector edges are not moved again by a rounding error.
+RC_GTEST_PROP(CompletedProfile, IsCompletedOnce, ()) {
+  auto nodes = bare_lifter();
+  const double radius = 0.46 + *rc::gen::inRange(0, 40000) * 1e-6;
+  nodes.insert(nodes.begin(), point_at(sector, radius, -0.5 * sector.pitch() + 1e-4));
+  nodes.push_back(point_at(sector, radius + 3e-4, 0.5 * sector.pitch()));
+  const LinerProfile once = completed_profile(sector, nodes);
+  RC_ASSERT(completed_profile(sector, once.nodes).nodes == once.nodes);
 }
 
 TEST(CompletedProfile, EndsWithinAMillimetreMeet) {

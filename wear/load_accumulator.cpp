@@ -75,7 +75,8 @@ void LoadAccumulator::add(const WallContacts& sample) {
   const double dt = measurement_.sample_interval;
   for (const WallContact& contact : sample.contacts) {
     const std::array<double, measure_count> amounts = {
-        1.0, contact.normal_force * dt, contact.normal_force * contact.slip_speed * dt,
+        1.0, contact.normal_force * dt,
+        std::max(contact.normal_force, 0.0) * contact.slip_speed * dt,
         contact.normal_force * contact.normal_speed * dt};
     const double x = contact.point.x();
     const double z = contact.point.z();

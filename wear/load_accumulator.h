@@ -28,8 +28,9 @@ struct LoadMeasurement {
 /// Every contact is turned back by the mill's angle, folded by the pitch, and added to the cell
 /// (an eighth of a bin) of the nearest place on the profile, to its particle class and to the time
 /// block floor(t / duration * blocks):
-///     samples += 1, normal_impulse += Fn dt, sliding_work += Fn |v_slip| dt,
+///     samples += 1, normal_impulse += Fn dt, sliding_work += max(Fn, 0) |v_slip| dt,
 ///     normal_dissipation += Fn v_n dt.
+/// The damping of a contact that ends may pull (Fn < 0): that dissipates, but abrades nothing.
 /// A contact farther from the profile than `contact_limit` goes to `rejected`, so cells plus
 /// rejected equal the sum over all contacts.
 class LoadAccumulator {

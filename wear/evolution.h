@@ -33,7 +33,8 @@ struct Evolution {
 /// `rate` is the depth rate [m/s] along `profile`. On a moved profile a place wears at the rate of
 /// the nearest place of the cycle's first profile (next to a corner: the mean of both sides).
 /// Every step takes threshold * new_lifter_area / steps_per_cycle [m2], which sets its duration.
-/// The last step is shortened so that `height_limit` or `plate_limit` is met within 1e-6 m.
+/// The last step is shortened so that `height_limit` or `plate_limit` is met within 1e-6 m
+/// (where a piece falls off and the height jumps over the limit: just below it).
 /// First order in the step. Source: the 2006 paper, "Predicting the evolved lifter profile".
 /// Throws InputError for settings not above zero, ResultRejected where the load wears nothing or
 /// the profile cannot be moved.

@@ -20,8 +20,12 @@ using Points = std::vector<Eigen::Vector2d>;
 constexpr double closest_share_of_bin = 0.05;
 constexpr double scale_within = 1e-6;
 constexpr double grid_share = 0.1;
+constexpr double nearly = 1e-2;
 constexpr double area_within = 1e-9;
 constexpr int most_trials = 30;
+
+/// Where the surface touches itself at the very scale that fits, one near it is taken and matched.
+constexpr double past_a_touch[] = {1.0, 1.003, 0.997, 1.01, 0.99, 1.03, 0.97};
 
 Points positions(const std::vector<LossNode>& nodes) {
   Points points;
@@ -166,6 +170,27 @@ std::optional<LinerProfile> matched(const LinerProfile& old,
   return profile;
 }
 
+/// Area of the pieces whose centres lie on the pitch in the middle of three [m2].
+double area_on_middle_pitch(const LinerProfile& old, const std::vector<Polygon>& pieces) {
+  const double first = angle_of(old.sector, old.nodes.front());
+  double sum = 0.0;
+  for (const Polygon& piece : pieces) {
+    const Eigen::Vector2d& origin = piece.front();
+    double area = 0.0;
+    Eigen::Vector2d moment = Eigen::Vector2d::Zero();
+    for (std::size_t i = 1; i + 1 < piece.size(); ++i) {
+      const Eigen::Vector2d a = piece[i] - origin;
+      const Eigen::Vector2d b = piece[i + 1] - origin;
+      const double triangle = 0.5 * (a.x() * b.y() - a.y() * b.x());
+      area += triangle;
+      moment += triangle / 3.0 * (a + b);
+    }
+    const double angle = angle_of(old.sector, origin + moment / area) - first;
+    if (angle >= 0.0 && angle < old.sector.pitch()) sum += std::abs(area);
+  }
+  return sum;
+}
+
 struct Trial {
   LinerProfile profile;
   double worn_area;
@@ -177,7 +202,8 @@ struct ScaledTrial {
   double scale;
 };
 
-/// The scale of the depths that wears the wanted area off, `within` [m2]; `take` is monotonic.
+/// The scale of the depths that wears the wanted area off, `within` [m2]; where a piece that comes
+/// loose makes the area jump over it, nearly.
 template <typename Take>
 ScaledTrial find_scale(const Take& take, double first_scale, double target_area, double within) {
   double low = 0.0;
@@ -188,7 +214,8 @@ ScaledTrial find_scale(const Take& take, double first_scale, double target_area,
   for (int trial = 0; trial < most_trials; ++trial) {
     Trial found = take(scale);
     const double error = found.worn_area - target_area;
-    if (std::abs(error) <= within) return {std::move(found), scale};
+    const bool is_last = trial + 1 == most_trials && std::abs(error) <= nearly * target_area;
+    if (std::abs(error) <= within || is_last) return {std::move(found), scale};
     (error < 0.0 ? low : high) = scale;
     (error < 0.0 ? low_error : high_error) = error;
     const bool bracketed = std::isfinite(high);
@@ -198,7 +225,6 @@ ScaledTrial find_scale(const Take& take, double first_scale, double target_area,
     const double inside = trial % 4 == 3 ? 0.5 * (low + high) : chord;
     scale = bracketed && (trial > 1 || !(next > low && next < high)) ? inside : next;
     if (!std::isfinite(scale)) break;
-    if (bracketed && high - low <= 1e-9 * high) return {std::move(found), high};
   }
   throw ResultRejected(fmt::format("no depth of loss removes {:g} m2 of the profile", target_area));
 }
@@ -226,25 +252,28 @@ MovedProfile move_profile(const LinerProfile& profile, const std::vector<LossNod
   const Points bottom = bottom_under(profile);
   const auto take = [&](double scale) {
     const SteelCut left = cut(surface, bottom, swept_region(scaled(nodes, scale)));
-    Trial trial{middle_pitch(profile, left.surface), 0.0, left.dropped_area / 3.0};
+    Trial trial{middle_pitch(profile, left.surface), 0.0,
+                area_on_middle_pitch(profile, left.dropped)};
     trial.worn_area = steel_area(profile) - steel_area(trial.profile) - trial.dropped_area;
     return trial;
   };
   const double grid_area = grid_share * clipping_grid * arc_lengths(profile).back();
-  const auto [trial, scale] = find_scale(take, target_area / unscaled, target_area,
-                                         std::max(scale_within * target_area, grid_area));
-  const double removed_area = target_area + trial.dropped_area;
-
-  const auto worn = surface_nodes(profile, old_surface, trial.profile);
-  auto result = matched(profile, thinned(worn, closest_share_of_bin * resolution), removed_area);
-  if (!result) result = matched(profile, worn, removed_area);
-  if (!result) {
-    throw ResultRejected(fmt::format(
-        "taking {:g} m2 off the profile leaves one that crosses itself; shorten the step",
-        target_area));
+  const ScaledTrial found = find_scale(take, target_area / unscaled, target_area,
+                                       std::max(scale_within * target_area, grid_area));
+  for (const double nudge : past_a_touch) {
+    const Trial trial = nudge == 1.0 ? found.trial : take(nudge * found.scale);
+    const double removed_area = target_area + trial.dropped_area;
+    const auto worn = surface_nodes(profile, old_surface, trial.profile);
+    auto result = matched(profile, thinned(worn, closest_share_of_bin * resolution), removed_area);
+    if (!result) result = matched(profile, worn, removed_area);
+    if (result) {
+      return {*result, steel_area(profile) - steel_area(*result), found.scale, trial.dropped_area,
+              plate_thickness(*result) <= 0.0};
+    }
   }
-  return {*result, steel_area(profile) - steel_area(*result), scale, trial.dropped_area,
-          plate_thickness(*result) <= 0.0};
+  throw ResultRejected(
+      fmt::format("taking {:g} m2 off the profile leaves one that crosses itself; shorten the step",
+                  target_area));
 }
 
 }  // namespace millwear::wear

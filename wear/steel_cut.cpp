@@ -63,15 +63,17 @@ SteelCut cut(const std::vector<Eigen::Vector2d>& surface,
 
   const IntPoint first = on_grid(bottom.front());
   const IntPoint last = on_grid(bottom.back());
-  SteelCut result{{}, 0.0};
+  SteelCut result{{}, {}};
   for (Path& piece : difference(path_of(steel), clips)) {
     const bool is_hole = !ClipperLib::Orientation(piece);
     if (is_hole) continue;
     ClipperLib::ReversePath(piece);
     const auto start = std::find(piece.begin(), piece.end(), first);
     if (start == piece.end()) {
-      const double area = area_of(piece);
-      if (area > least_piece) result.dropped_area += area;
+      if (area_of(piece) > least_piece) {
+        std::transform(piece.begin(), piece.end(),
+                       std::back_inserter(result.dropped.emplace_back()), off_grid);
+      }
       continue;
     }
     std::rotate(piece.begin(), start, piece.end());

@@ -11,7 +11,7 @@ inline constexpr double clipping_grid = 1e-9;
 
 struct SteelCut {
   std::vector<Eigen::Vector2d> surface;  ///< what is left of the surface, from end to end
-  double dropped_area;                   ///< steel that lost its hold on the shell [m2]
+  std::vector<Polygon> dropped;          ///< pieces of steel that lost their hold on the shell
 };
 
 /// Old steel minus the swept region. The steel lies between `surface`, ordered along the direction

@@ -70,12 +70,6 @@ class ClassGrid {
   std::unordered_map<std::uint64_t, std::vector<Eigen::Vector3d>> cells_;
 };
 
-double crest_radius(const LinerProfile& liner) {
-  double least = liner.sector.plate_radius;
-  for (const auto& node : liner.nodes) least = std::min(least, radius_of(liner.sector, node));
-  return least;
-}
-
 bool clear_of_liner(const LinerProfile& liner, double crest, double x, double z, double radius) {
   const double from_axis = std::hypot(x, z);
   const double reach = radius + clearance;

@@ -42,12 +42,6 @@ std::string liner_id(StretchKind kind, int cycle) {
   return fmt::format("liner_{:03}{}", cycle, kind == StretchKind::mix ? "_mix" : "");
 }
 
-double least_radius(const LinerProfile& liner) {
-  double least = liner.sector.plate_radius;
-  for (const auto& node : liner.nodes) least = std::min(least, radius_of(liner.sector, node));
-  return least;
-}
-
 }  // namespace
 
 double neighbour_skin(const Case& mill) {
@@ -102,14 +96,16 @@ std::string mixing_deck(const Case& mill, const StretchSteps& steps) {
 
 std::string measuring_deck(const Case& mill, const StretchSteps& steps, const LinerProfile& worn,
                            const std::string& previous_restart) {
-  const double overlap = 0.02 * largest_diameter(mill);
+  // A contact may overlap the wall, and the mesh may stand out of the profile by its tolerance.
+  const double margin =
+      0.02 * largest_diameter(mill) + 0.5 * mill.dem.mesh_tolerance * smallest_diameter(mill);
   return filled_template(
       measure_template,
       {{"case_name", mill.name},
        {"previous_restart_file", previous_restart},
        {"skin_m", number(neighbour_skin(mill))},
        {"contact_model_file", file_names::contact_model},
-       {"near_wall_radius_m", number(least_radius(worn) - 0.5 * largest_diameter(mill) - overlap)},
+       {"near_wall_radius_m", number(crest_radius(worn) - 0.5 * largest_diameter(mill) - margin)},
        {"thermo_steps", fmt::format("{}", std::max(1L, steps.total() / thermo_lines))},
        {"settle_steps", fmt::format("{}", steps.settle_steps)},
        {"sample_steps", fmt::format("{}", steps.sample_steps)},

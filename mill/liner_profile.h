@@ -49,8 +49,12 @@ struct LinerProfile {
 /// Section of the lifter alone [m2]: the steel that stands above the new plate.
 [[nodiscard]] double lifter_area(const LinerProfile& profile);
 
-/// Height of the lifter [m]: how far its crest stands above the plate half-way between lifters, as
-/// a gauge resting on the plate reads it.
+/// Least distance of the profile from the mill's axis [m]: the crest of the lifter.
+[[nodiscard]] double crest_radius(const LinerProfile& profile);
+
+/// Height of the lifter [m]: how far its crest stands above where the plate was when new. It only
+/// falls, and below 0 the crest is under the new plate. The lift that the charge feels is this plus
+/// what the plate has lost.
 [[nodiscard]] double lifter_height(const LinerProfile& profile);
 
 /// Least thickness of steel over the shell anywhere on the profile [m].

@@ -105,8 +105,10 @@ double lifter_area(const LinerProfile& profile) {
   return 0.5 * sector.plate_radius * sector.plate_radius * sector.pitch() - open;
 }
 
+double crest_radius(const LinerProfile& profile) { return crest_of(profile).radius; }
+
 double lifter_height(const LinerProfile& profile) {
-  return edge_radius(profile) - crest_of(profile).radius;
+  return profile.sector.plate_radius - crest_radius(profile);
 }
 
 double plate_thickness(const LinerProfile& profile) {

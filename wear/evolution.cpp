@@ -137,8 +137,8 @@ Evolution evolve(const LinerProfile& profile, const ArcCurve& rate, double new_l
       move = move_to_limit(current, loss, std::move(move), resolution, settings);
     }
     current = move.moved.profile;
-    evolution.steps.push_back(
-        {move.duration, current, move.moved.removed_area, loss.area_rate * move.duration});
+    evolution.steps.push_back({move.duration, current, move.moved.removed_area,
+                               loss.area_rate * move.duration, move.moved.dropped_area});
     const Margin left = margin_of(current, settings);
     if (left.least() <= limit_within) {
       evolution.end = left.nearest();

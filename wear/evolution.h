@@ -13,6 +13,7 @@ struct GeometryStep {
   LinerProfile profile;   ///< at the step's end
   double removed_area;    ///< section of steel taken off in the step, with what fell off [m2]
   double accounted_area;  ///< the wear law's loss on the step's first profile, rate * duration [m2]
+  double fallen_area;     ///< what lost its hold on the shell and fell off; part of removed [m2]
 };
 
 enum class EvolutionEnd {

@@ -56,12 +56,12 @@ TEST(LinerProfile, SteelOfABarePlateIsARing) {
   EXPECT_NEAR(lifter_area(bare_plate(0.5, 2000)), 0.0, 1e-7);
 }
 
-// Plate worn to radius 0.51 m: 10 mm are left, and nothing stands above the new plate.
+// Plate worn from radius 0.50 to 0.51 m: 10 mm are left, and its crest is 10 mm under the new plate.
 TEST(LinerProfile, WornPlateIsThinAndHasNoLifter) {
   const LinerProfile worn = bare_plate(0.51, 500);
   EXPECT_NEAR(plate_thickness(worn), 0.01, 1e-12);
   EXPECT_NEAR(lifter_area(worn), 0.0, 1e-15);
-  EXPECT_NEAR(lifter_height(worn), 0.51 * (1.0 - std::cos(sector.pitch() / 1000.0)), 1e-12);
+  EXPECT_NEAR(lifter_height(worn), 0.50 - 0.51 * std::cos(sector.pitch() / 1000.0), 1e-12);
 }
 
 // Steel above the new plate and steel below it make up the whole where the plate is as new.

@@ -1,0 +1,42 @@
+# millwear from the shell. `make help` says what there is.
+.PHONY: all build demo test unit check-style bench clean help
+
+PROGRAM := build/release/millwear
+DEMO_CASE := cases/pilot_mill/case.toml
+DEMO_RUN := runs/pilot_mill
+CTEST := ctest --preset ci --no-tests=error
+
+all: build
+
+build: ## Install what is missing and build build/release/millwear
+	@scripts/install_packages.sh run
+	@cmake --preset release -DMILLWEAR_TESTS=OFF >build-release.log 2>&1 || { cat build-release.log; exit 1; }
+	@rm -f build-release.log
+	@cmake --build --preset release
+
+demo: build ## Wear the pilot mill's liner from new to its limit, and say where the report lies
+	@$(PROGRAM) run $(DEMO_CASE) --out $(DEMO_RUN)
+
+test: ## Install what is missing, build with warnings as errors and run every test
+	@scripts/install_packages.sh test
+	@scripts/check_includes.sh
+	@cmake --preset ci >/dev/null
+	@cmake --build --preset ci
+	@$(CTEST)
+
+unit: ## Only the tests that need neither LIGGGHTS nor a browser
+	@cmake --preset ci >/dev/null
+	@cmake --build --preset ci
+	@$(CTEST) -LE 'needs_liggghts|needs_chromium'
+
+bench: ## Time the contact reader and a geometry step
+	@cmake --preset release -DMILLWEAR_TESTS=ON >/dev/null
+	@cmake --build build/release --target bench_contact_reader bench_wear
+	@build/release/liggghts_inputs/bench/bench_contact_reader
+	@build/release/wear/bench/bench_wear
+
+clean: ## Remove what was built; runs/ stays
+	rm -rf build
+
+help:
+	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed 's/:.*## /\t/' | expand -t 14

@@ -1,0 +1,52 @@
+#!/bin/sh
+# Checks who includes whom: mill <- meshgen, liggghts_inputs, wear <- recorder, orchestrator.
+# Each outside library stays in the few files that are named here. Prints what breaks a rule.
+set -eu
+cd "$(dirname "$0")/.."
+broken=0
+
+# room "rooms it may include from"
+room() {
+  [ -d "$1" ] || return 0
+  rooms=$(echo "$1 $2" | sed 's/ /|/g')
+  found=$(grep -rnE --include='*.h' --include='*.cpp' --include='*.in' \
+    '^#include "(mill|meshgen|liggghts_inputs|wear|recorder|orchestrator)/' "$1" |
+    grep -vE "#include \"($rooms)/" || true)
+  [ -z "$found" ] || { echo "$1 may include only from: $1 $2"; echo "$found"; broken=1; }
+}
+room mill ""
+room meshgen "mill"
+room liggghts_inputs "mill"
+room wear "mill"
+room recorder "mill wear"
+room orchestrator "mill meshgen liggghts_inputs wear"
+
+# library "pattern of its headers" files that may include it
+library() {
+  name=$1 pattern=$2
+  shift 2
+  found=$(grep -rlE --include='*.h' --include='*.cpp' "#include <$pattern" \
+    mill meshgen liggghts_inputs wear orchestrator $([ -d recorder ] && echo recorder) |
+    grep -vE '/bench/' || true)
+  for file in $found; do
+    case " $* " in
+      *" $file "*) ;;
+      *) echo "$name may be included only by: $*"; echo "  and not by $file"; broken=1 ;;
+    esac
+  done
+}
+library gmsh "gmsh\.h" meshgen/gmsh_kernel.cpp
+library dxflib "dxflib/|dl_" meshgen/dxf_polyline.cpp
+library GSL "gsl/" wear/penalised_spline.cpp
+library HDF5 "hdf5|H5" wear/load_read.cpp wear/load_write.cpp
+library Clipper "polyclipping/|clipper" wear/steel_cut.cpp
+library toml++ "toml" mill/case_document.cpp
+library CLI11 "CLI/" orchestrator/command_line.cpp
+
+# The wear laws, bins, smoothing and evolution are pure: no files, clock or randomness. The store of
+# loads (load_*) is the exception.
+impure=$(grep -nE '#include <(fstream|iostream|filesystem|chrono|random|cstdlib|unistd.h)>' \
+  wear/*.h wear/*.cpp | grep -vE '^wear/load_(store|read|write)\.' || true)
+[ -z "$impure" ] || { echo "wear is pure but for its store:"; echo "$impure"; broken=1; }
+
+exit $broken

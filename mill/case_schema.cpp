@@ -46,7 +46,7 @@ constexpr KeySpec keys[] = {
      "inside diameter of the shell, under the liner [m]"},
     {"mill", "slice_length_m", real, required, "", above_up_to(0.0, 50.0), "",
      "length of the simulated slice along the axis, periodic [m]"},
-    {"mill", "rows", integer, required, "", between(3, 1000), "", "lifters around the mill"},
+    {"mill", "rows", integer, required, "", between(4, 1000), "", "lifters around the mill"},
     {"mill", "speed_rpm", real, optional, "", positive, "",
      "speed [1/min]; this or `critical_speed_fraction`"},
     {"mill", "critical_speed_fraction", real, optional, "", above_up_to(0.0, 3.0), "",

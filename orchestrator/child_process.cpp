@@ -57,10 +57,10 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command,
   const int parent = ::getpid();
   pid_ = ::fork();
   if (pid_ == 0) become(argv.data(), folder_text.c_str(), output[1], problem[1], parent);
+  int why = errno;
   ::close(output[1]);
   ::close(problem[1]);
   output_ = output[0];
-  int why = 0;
   const bool failed = pid_ < 0 || ::read(problem[0], &why, sizeof why) == sizeof why;
   ::close(problem[0]);
   if (failed) {

@@ -9,6 +9,8 @@
 namespace millwear::orchestrator {
 namespace {
 
+constexpr int most_ranks = 100000;
+
 struct VerbText {
   Verb verb;
   const char* name;
@@ -81,7 +83,7 @@ ParsedCommandLine parse_command_line(int argc, const char* const* argv) {
     }
     if (text.verb == Verb::run || text.verb == Verb::deck)
       verb->add_option("--ranks", command.ranks, "MPI ranks, instead of the case's")
-          ->check(CLI::PositiveNumber);
+          ->check(CLI::Range(1, most_ranks));
     if (text.verb == Verb::mesh || text.verb == Verb::deck)
       verb->add_option("--profile", command.profile,
                        "CSV of a worn profile (xi_m,eta_m) in place of the new one");

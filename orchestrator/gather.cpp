@@ -134,7 +134,7 @@ void add_cycle(const Campaign& campaign, int cycle, ReportData& data) {
     data.history.push_back(row_of(campaign, step.profile, measured, wear_id, number, hours));
     data.profiles.push_back({cycle, number, hours, step.profile.nodes});
     balance.removed += step.removed_area;
-    balance.accounted += step.accounted_area;
+    balance.accounted += step.accounted_area + step.fallen_area;
   }
   data.conservation.push_back(balance);
   data.power.push_back(power_of_cycle(cycle, measured, mill.wear.time_blocks));

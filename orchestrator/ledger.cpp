@@ -5,6 +5,7 @@
 #include <unistd.h>
 #include <xxhash.h>
 
+#include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -97,10 +98,10 @@ void append_entry(const std::filesystem::path& file, const LedgerEntry& entry) {
   cut_torn_line(file);
   const std::string line = as_json(entry).dump() + "\n";
   const int fd = ::open(file.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
-  const bool written = fd >= 0 &&
-                       ::write(fd, line.data(), line.size()) == static_cast<ssize_t>(line.size()) &&
-                       ::fsync(fd) == 0;
-  const int problem = errno;
+  const ssize_t length = fd >= 0 ? ::write(fd, line.data(), line.size()) : -1;
+  const bool short_write = length >= 0 && length < static_cast<ssize_t>(line.size());
+  const bool written = length >= 0 && !short_write && ::fsync(fd) == 0;
+  const int problem = short_write ? ENOSPC : errno;
   if (fd >= 0) ::close(fd);
   if (!written)
     throw DiskError(fmt::format("{}: cannot append: {}", file.string(), std::strerror(problem)));

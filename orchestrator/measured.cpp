@@ -87,6 +87,7 @@ void write_cycle(const std::filesystem::path& file, const KeptCycle& cycle) {
     steps.push_back({{"duration_s", step.duration},
                      {"removed_area_m2", step.removed_area},
                      {"accounted_area_m2", step.accounted_area},
+                     {"fallen_area_m2", step.fallen_area},
                      {"nodes_m", nodes_json(step.profile)}});
   const json document = {{"type", "millwear geometry steps"},
                          {"format_version", format_version},
@@ -104,7 +105,8 @@ KeptCycle read_cycle(const std::filesystem::path& file, const LinerSector& secto
     for (const auto& step : document.at("steps"))
       cycle.steps.push_back(
           {step.at("duration_s").get<double>(), step.at("removed_area_m2").get<double>(),
-           step.at("accounted_area_m2").get<double>(), profile_from(step.at("nodes_m"), sector)});
+           step.at("accounted_area_m2").get<double>(), step.at("fallen_area_m2").get<double>(),
+           profile_from(step.at("nodes_m"), sector)});
     return cycle;
   });
 }

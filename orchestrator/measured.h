@@ -28,6 +28,7 @@ struct KeptStep {
   double duration;        ///< [s]
   double removed_area;    ///< from the profiles [m2]
   double accounted_area;  ///< from the bins of the load [m2]
+  double fallen_area;     ///< pieces that lost their hold and fell off [m2]
   LinerProfile profile;   ///< after the step
 };
 

@@ -36,9 +36,10 @@ void print_folder(const Command& command, const fs::path& folder, const char* wh
 void mesh_verb(const Command& command) {
   const Case mill = case_with_profile(command);
   const fs::path folder = folder_for(command, mill, "mesh");
-  fs::create_directories(folder);
+  make_folder(folder);
   write_mesh(mill, mill.liner, folder);
-  print_folder(command, folder, "liner.stl, profile.step, profile.dxf and mesh.json are");
+  print_folder(command, folder,
+               "liner.stl, profile.csv, profile.step, profile.dxf and mesh.json are");
 }
 
 void deck_verb(const Command& command) {
@@ -47,7 +48,7 @@ void deck_verb(const Command& command) {
       mill, {folder_for(command, mill, "deck")}, command.ranks.value_or(ranks_for(mill))};
   const auto folder_of = [&](StageKind kind) {
     const fs::path folder = campaign.folder.stage({0, kind});
-    fs::create_directories(folder);
+    make_folder(folder);
     return folder;
   };
   write_mesh(mill, mill.liner, folder_of(StageKind::mesh));

@@ -12,6 +12,17 @@
 
 namespace millwear::orchestrator {
 
+namespace {
+
+std::string profile_csv(const LinerProfile& liner) {
+  std::string text = "# millwear profile 1\nxi_m,eta_m\n";
+  for (const auto& node : liner.nodes)
+    fmt::format_to(std::back_inserter(text), "{},{}\n", node.x(), node.y());
+  return text;
+}
+
+}  // namespace
+
 double mesh_tolerance(const Case& mill) {
   return mill.dem.mesh_tolerance * 0.5 * smallest_diameter(mill);
 }
@@ -21,6 +32,7 @@ void write_mesh(const Case& mill, const LinerProfile& liner, const std::filesyst
   const auto mesh = meshgen::build_liner_mesh(liner, mill.slice_length, settings);
   const auto found = meshgen::check_mesh(mesh, liner, settings);
   meshgen::write_stl(mesh, into / stage_files::mesh);
+  write_file(into / stage_files::profile, profile_csv(liner));
   meshgen::write_dxf(liner, into / stage_files::profile_dxf);
   meshgen::write_step(liner, mill.slice_length, into / stage_files::profile_step);
   const nlohmann::json facts = {

@@ -6,6 +6,7 @@
 
 #include "mill/case_lock.h"
 #include "orchestrator/campaign.h"
+#include "orchestrator/report/plots.h"
 #include "orchestrator/report/report.h"
 #include "orchestrator/results/history.h"
 #include "orchestrator/results/profiles.h"
@@ -97,6 +98,10 @@ void publish_results(const Campaign& campaign, const Ledger& ledger, const Repor
 
 void publish_report(const Campaign& campaign, const ReportData& data) {
   publish(campaign.folder.report(), report_html(data));
+}
+
+void publish_pictures(const Campaign& campaign, const ReportData& data) {
+  write_plots(data, campaign.folder.results());
 }
 
 }  // namespace millwear::orchestrator

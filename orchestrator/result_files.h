@@ -10,4 +10,7 @@ void publish_results(const Campaign& campaign, const Ledger& ledger, const Repor
 /// Writes report.html.
 void publish_report(const Campaign& campaign, const ReportData& data);
 
+/// Writes results/profiles.png and history.png. Throws ExternalProgramError without gnuplot.
+void publish_pictures(const Campaign& campaign, const ReportData& data);
+
 }  // namespace millwear::orchestrator

@@ -9,6 +9,7 @@
 #include "mill/case_warnings.h"
 #include "mill/failure.h"
 #include "orchestrator/campaign.h"
+#include "orchestrator/child_process.h"
 #include "orchestrator/cost_estimate.h"
 #include "orchestrator/gather.h"
 #include "orchestrator/result_files.h"
@@ -37,16 +38,22 @@ CampaignStart start_of(const Command& command, const Case& mill) {
           command.ranks.value_or(ranks_for(mill)), host_name()};
 }
 
+/// Throws InputError where the folder holds another case's campaign.
+void check_same_case(const Command& command, const Ledger& ledger, const std::string& case_hash,
+                     const RunFolder& folder) {
+  if (ledger.start.case_hash != case_hash)
+    throw InputError(fmt::format(
+        "{}: the case differs from the one that {} was begun with ({} has that one in full); give "
+        "another folder with --out, or move this one away",
+        command.case_file.string(), folder.root.string(), folder.locked_case().string()));
+}
+
 /// The ledger in the folder, or a new one. Throws where the folder holds another case's campaign.
 Ledger ledger_for(const Command& command, const Case& mill, const RunFolder& folder) {
   const CampaignStart start = start_of(command, mill);
   auto ledger = read_ledger(folder.ledger());
   if (!ledger) return {start, {}};
-  if (ledger->start.case_hash != start.case_hash)
-    throw InputError(fmt::format(
-        "{}: the case differs from the one that {} was begun with ({} has that one in full); run "
-        "into another folder with --out, or move this one away",
-        command.case_file.string(), folder.root.string(), folder.locked_case().string()));
+  check_same_case(command, *ledger, start.case_hash, folder);
   if (command.ranks && *command.ranks != ledger->start.ranks)
     throw Failure(ExitCode::usage,
                   fmt::format("{} was begun with {} ranks and goes on with the same; leave --ranks "
@@ -56,13 +63,14 @@ Ledger ledger_for(const Command& command, const Case& mill, const RunFolder& fol
   return *ledger;
 }
 
-/// The campaign in the folder; throws if there is none.
-Ledger existing_ledger(const Command& command, const RunFolder& folder) {
+/// The case's campaign in the folder; throws if there is none.
+Ledger existing_ledger(const Command& command, const Case& mill, const RunFolder& folder) {
   auto ledger = read_ledger(folder.ledger());
   if (!ledger)
     throw Failure(ExitCode::usage,
                   fmt::format("{}: no campaign is here; start one with `millwear run {}`",
                               folder.root.string(), command.case_file.string()));
+  check_same_case(command, *ledger, hash_of_text(locked_case_text(mill)), folder);
   return *ledger;
 }
 
@@ -100,12 +108,34 @@ StageShare share_of(const Campaign& campaign, const StageId& stage) {
 }
 
 LedgerEntry run_and_tell(const Campaign& campaign, const StageId& stage, Progress& progress) {
+  stop_if_interrupted();
   const auto share = share_of(campaign, stage);
   progress.begin(name_of(stage), share.before, share.after);
-  const LedgerEntry entry = run_stage(campaign, stage, progress);
-  progress.end();
-  progress.detail(fmt::format("{} took {:.2f} s", name_of(stage), entry.wall_seconds));
-  return entry;
+  try {
+    const LedgerEntry entry = run_stage(campaign, stage, progress);
+    progress.end();
+    progress.detail(fmt::format("{} took {:.2f} s", name_of(stage), entry.wall_seconds));
+    return entry;
+  } catch (const Failure& failure) {
+    throw Failure(failure.exit_code, fmt::format("{}: {}", name_of(stage), failure.what()));
+  }
+}
+
+ReportData publish_campaign(const Campaign& campaign, const Ledger& ledger) {
+  ReportData data = gather(campaign, ledger);
+  publish_results(campaign, ledger, data);
+  publish_report(campaign, data);
+  return data;
+}
+
+/// The pictures are a convenience: a campaign does not fail for want of gnuplot.
+void publish_pictures_if_possible(const Campaign& campaign, const ReportData& data,
+                                  Progress& progress) {
+  try {
+    publish_pictures(campaign, data);
+  } catch (const ExternalProgramError& problem) {
+    progress.say(std::string("no pictures in results/: ") + problem.what());
+  }
 }
 
 void explain_campaign(const Command& command, const Ledger& ledger, const Case& mill) {
@@ -128,7 +158,7 @@ void run_verb(const Command& command) {
   if (command.dry_run) return explain_campaign(command, ledger_for(command, mill, folder), mill);
   check_liggghts_is_installed();
 
-  fs::create_directories(folder.root);
+  make_folder(folder.root);
   const RunLock lock(folder.lock());
   const Ledger ledger = ledger_for(command, mill, folder);
   if (ledger.entries.empty()) {
@@ -144,24 +174,21 @@ void run_verb(const Command& command) {
       [&](const StageId& stage) { return run_and_tell(campaign, stage, progress); },
       [&](const LedgerEntry& entry) { append_entry(folder.ledger(), entry); },
       [&](const Ledger& so_far) {
-        const ReportData data = gather(campaign, so_far);
-        publish_results(campaign, so_far, data);
-        publish_report(campaign, data);
+        const ReportData data = publish_campaign(campaign, so_far);
         progress.say(
             fmt::format("cycle {}: {}", so_far.entries.back().stage.cycle, spoken_outcome(data)));
       }};
   const Ledger finished = run_campaign(ledger, campaign.mill.campaign.cycle_limit, effects);
-  // The results may have been lost with an earlier process: what is published is cheap to gather.
-  const ReportData data = gather(campaign, finished);
-  publish_results(campaign, finished, data);
-  publish_report(campaign, data);
+  // Once more at the end: an earlier process may have died between its last stage and its results.
+  const ReportData data = publish_campaign(campaign, finished);
+  publish_pictures_if_possible(campaign, data, progress);
   print_outcome(command, folder, data);
 }
 
 void status_verb(const Command& command) {
   const Case mill = read_case(command.case_file);
   const RunFolder folder = folder_of(command, mill);
-  const Ledger ledger = existing_ledger(command, folder);
+  const Ledger ledger = existing_ledger(command, mill, folder);
   const Campaign campaign{mill, folder, ledger.start.ranks};
   const bool running = is_locked(folder.lock());
   const auto next = next_stage(ledger, mill.campaign.cycle_limit);
@@ -193,11 +220,13 @@ void status_verb(const Command& command) {
 void report_verb(const Command& command) {
   const Case mill = read_case(command.case_file);
   const RunFolder folder = folder_of(command, mill);
-  const Ledger ledger = existing_ledger(command, folder);
+  const Ledger ledger = existing_ledger(command, mill, folder);
+  const RunLock lock(folder.lock());
+  check_outputs(ledger, folder.root);
   const Campaign campaign{mill, folder, ledger.start.ranks};
-  const ReportData data = gather(campaign, ledger);
-  publish_results(campaign, ledger, data);
-  publish_report(campaign, data);
+  const ReportData data = publish_campaign(campaign, ledger);
+  Progress progress(command.verbosity);
+  publish_pictures_if_possible(campaign, data, progress);
   print_outcome(command, folder, data);
 }
 

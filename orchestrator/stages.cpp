@@ -45,6 +45,14 @@ Outcome work_of(const Campaign& campaign, const StageId& stage, const fs::path& 
 
 }  // namespace
 
+void make_folder(const fs::path& folder) {
+  std::error_code problem;
+  fs::create_directories(folder, problem);
+  if (problem)
+    throw DiskError(fmt::format("{}: no folder can be made here ({}); give another with --out",
+                                folder.string(), problem.message()));
+}
+
 void sync_path(const fs::path& path) {
   const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   const bool synced = fd >= 0 && ::fsync(fd) == 0;
@@ -77,7 +85,7 @@ LedgerEntry run_stage(const Campaign& campaign, const StageId& stage, Progress& 
   const fs::path final_folder = campaign.folder.stage(stage);
   fs::remove_all(partial);
   fs::remove_all(final_folder);
-  fs::create_directories(partial);
+  make_folder(partial);
 
   const Outcome outcome = work_of(campaign, stage, partial, progress);
   const auto outputs = synced_outputs(partial);

@@ -25,6 +25,9 @@ struct Campaign {
 [[nodiscard]] LedgerEntry run_stage(const Campaign& campaign, const StageId& stage,
                                     Progress& progress);
 
+/// Makes a folder and those above it. Throws DiskError.
+void make_folder(const std::filesystem::path& folder);
+
 /// Makes sure a file or folder is on the disk. Throws DiskError.
 void sync_path(const std::filesystem::path& path);
 

@@ -21,6 +21,7 @@ namespace {
 
 constexpr std::size_t piece_size = 1 << 18;
 constexpr int pipe_capacity = 1 << 20;
+constexpr int longest_wait_ms = 500;  // an interrupt that comes just before the wait is seen then
 
 /// The reading end of a named pipe, which is removed with this object.
 class NamedPipe {
@@ -66,7 +67,7 @@ class PrintedOutput {
       : path_(std::move(log)), log_(path_, std::ios::binary), take_line_(take_line) {}
 
   void take(std::string_view piece) {
-    log_ << piece;
+    log_ << piece << std::flush;
     unfinished_ += piece;
     std::size_t start = 0;
     for (std::size_t end; (end = unfinished_.find('\n', start)) != std::string::npos;
@@ -118,7 +119,7 @@ int run_liggghts(const StretchRun& run, const std::vector<DumpPipe>& pipes) {
                   : read_piece(waiting[i].fd, buffer, pipes[i - 1].take);
   };
   while (waiting[0].fd >= 0) {
-    if (::poll(waiting.data(), waiting.size(), -1) < 0) stop_if_interrupted();
+    if (::poll(waiting.data(), waiting.size(), longest_wait_ms) < 0) stop_if_interrupted();
     for (std::size_t i = waiting.size(); i-- > 0;)
       if ((waiting[i].revents & (POLLIN | POLLHUP)) != 0 && read_from(i) == Read::end)
         waiting[i].fd = -1;

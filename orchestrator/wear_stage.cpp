@@ -40,7 +40,8 @@ Outcome wear_stage(const Campaign& campaign, int cycle, const std::filesystem::p
                                       lifter_area(mill.liner), mill.campaign);
   KeptCycle kept{rate.smoothed.moved_share, rate.raw.dot(rate.load.bin_widths()), {}};
   for (const auto& step : evolution.steps)
-    kept.steps.push_back({step.duration, step.removed_area, step.accounted_area, step.profile});
+    kept.steps.push_back(
+        {step.duration, step.removed_area, step.accounted_area, step.fallen_area, step.profile});
   write_cycle(into / stage_files::steps, kept);
   return outcome_from_end(evolution.end);
 }

@@ -55,7 +55,7 @@ struct PowerSeries {
 struct Conservation {
   int cycle;
   double removed;             ///< by moving the profile [m3/m]
-  double accounted;           ///< sum over bins of the wear law [m3/m]
+  double accounted;           ///< sum over bins of the wear law, and what fell off [m3/m]
   double moved_by_smoothing;  ///< share of it that smoothing carried to another place [-]
   double rejected;            ///< share of the contacts that no bin took [-]
 };

@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 
 #include "mill/case_file.h"
@@ -23,6 +24,8 @@ namespace millwear::orchestrator {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::uintmax_t full_disk_bytes = 1 << 20;
 
 RunFolder folder_of(const Command& command, const Case& mill) {
   return {command.out.empty() ? fs::path("runs") / mill.name : command.out};
@@ -107,6 +110,19 @@ StageShare share_of(const Campaign& campaign, const StageId& stage) {
   return {now, std::min(1.0, now + gain)};
 }
 
+/// A stage's failure with its name. On a disk without room it is the disk's failure, whatever gmsh
+/// or LIGGGHTS made of it.
+Failure failure_of_stage(const Campaign& campaign, const StageId& stage, const Failure& failure) {
+  std::error_code unknown;
+  const auto free = fs::space(campaign.folder.root, unknown).available;
+  if (unknown || free >= full_disk_bytes)
+    return {failure.exit_code, fmt::format("{}: {}", name_of(stage), failure.what())};
+  return DiskError(
+      fmt::format("{}: the disk is full ({} kB are free); free some, then the same "
+                  "command goes on: {}",
+                  name_of(stage), free >> 10, failure.what()));
+}
+
 LedgerEntry run_and_tell(const Campaign& campaign, const StageId& stage, Progress& progress) {
   stop_if_interrupted();
   const auto share = share_of(campaign, stage);
@@ -117,7 +133,7 @@ LedgerEntry run_and_tell(const Campaign& campaign, const StageId& stage, Progres
     progress.detail(fmt::format("{} took {:.2f} s", name_of(stage), entry.wall_seconds));
     return entry;
   } catch (const Failure& failure) {
-    throw Failure(failure.exit_code, fmt::format("{}: {}", name_of(stage), failure.what()));
+    throw failure_of_stage(campaign, stage, failure);
   }
 }
 

@@ -1,0 +1,87 @@
+#include <gmock/gmock.h>
+
+#include "tests/crash/reference_campaign.h"
+
+namespace millwear::crash {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// A run of LIGGGHTS that looks like a success and is none.
+struct StandIn {
+  const char* name;
+  StageName stage;
+  const char* script;  ///< of an mpirun; `run` runs the real one
+  const char* where;   ///< the file or stage that the message must name
+  const char* why;     ///< that the message must say
+};
+
+void PrintTo(const StandIn& stand_in, std::ostream* out) { *out << stand_in.name; }
+
+// A dump that is spoilt is written as a file first and then into the pipe.
+const StandIn stand_ins[] = {
+    {"ends_half_way", "cycle_000/mix",
+     "sed -i 's/^run .*/run 40/; /^print/d; /^write_restart/d' deck.in; run", "liggghts.log",
+     "stopped half way, its last step was 40 of"},
+    {"ends_at_an_error", "cycle_000/mix", "sed -i 's/^run .*/runaway/' deck.in; run",
+     "liggghts.log", "LIGGGHTS stopped: ERROR"},
+    {"prints_nothing", "cycle_000/mix", "true", "liggghts.log", "stopped half way"},
+    {"forgets_the_last_line", "cycle_000/mix", "run | grep -v 'stretch complete'", "liggghts.log",
+     "stopped half way"},
+    {"loses_an_atom", "cycle_000/mix", "run | sed -E 's/^( +[0-9]{3} +)32 /\\131 /'",
+     "liggghts.log", "31 of 32 particles are left at step"},
+    {"reads_half_the_mesh", "cycle_000/mix",
+     "run | sed 's/containing [0-9]* tri/containing 66 tri/'", "liggghts.log",
+     "LIGGGHTS read 66 of the mesh's"},
+    {"explodes", "cycle_000/mix", "run | sed -E 's/^( +[0-9]{3} +32 +)[^ ]+/\\1nan/'",
+     "liggghts.log", "not finite"},
+    {"writes_an_empty_restart", "cycle_000/mix", "run; : > charge.restart", "charge.restart",
+     "too short for 32 particles"},
+    {"writes_no_restart", "cycle_000/mix", "run; rm charge.restart", "charge.restart",
+     "too short for 32 particles"},
+    {"cuts_a_row", "cycle_000/dem",
+     "sed -i 's/contacts.dump/whole/' deck.in; run; head -c -9 whole > contacts.dump",
+     "contacts.dump", "ends inside the snapshot of step 3300"},
+    {"drops_the_last_snapshot", "cycle_000/dem",
+     "sed -i 's/contacts.dump/whole/' deck.in; run;"
+     "head -n $(($(grep -n TIMESTEP whole | tail -1 | cut -d: -f1) - 1)) whole > contacts.dump",
+     "cycle 0 dem: ", "do not hold the same steps (step 3300)"},
+    {"writes_no_dump", "cycle_000/dem", "sed -i 's/spins.dump/whole/' deck.in; run",
+     "cycle 0 dem: ", "do not hold the same steps"},
+    {"writes_letters_for_numbers", "cycle_000/dem",
+     "sed -i 's/contacts.dump/whole/' deck.in; run;"
+     "sed '30s/^/x/' whole > contacts.dump",
+     "contacts.dump", "number"},
+    {"cuts_the_torque", "cycle_000/dem", "run; sed -i '$d' torque.txt; sed -i '$d' torque.txt",
+     "torque.txt", "ends at step"},
+};
+
+class LiggghtsThat : public testing::TestWithParam<StandIn> {};
+
+TEST_P(LiggghtsThat, IsNotBelieved) {
+  const auto& [name, stage, script, where, why] = GetParam();
+  const TemporaryFolder folder;
+  const fs::path campaign = folder.path() / "run";
+  const fs::path programs = folder.path() / "programs";
+  ReferenceCampaign::get().copy_up_to(stage, campaign);
+  fs::create_directory(programs);
+  const std::string path = std::getenv("PATH");
+  put_text(programs / "mpirun", "#!/bin/sh\narguments=\"$*\"\nrun() { PATH='" + path +
+                                    "' mpirun $arguments; }\n" + script + "\nexit 0\n");
+  fs::permissions(programs / "mpirun", fs::perms::owner_all);
+
+  const Ended ended = millwear(run_into(campaign), {.path = programs.string() + ":" + path});
+  EXPECT_EQ(ended.code, 5);
+  EXPECT_THAT(ended.err, AllOf(HasSubstr(where), HasSubstr(why)));
+  expect_not_published(campaign, stage);
+  EXPECT_THAT(survivors_in(campaign), IsEmpty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Crash, LiggghtsThat, testing::ValuesIn(stand_ins),
+                         [](const auto& tested) { return std::string(tested.param.name); });
+
+}  // namespace
+}  // namespace millwear::crash

@@ -1,0 +1,85 @@
+#include "orchestrator/command_line.h"
+
+#include <gmock/gmock.h>
+
+#include <vector>
+
+namespace millwear::orchestrator {
+namespace {
+
+using testing::HasSubstr;
+
+struct Answer {
+  ParsedCommandLine parsed;
+  std::string out;
+  std::string err;
+};
+
+Answer answer_to(std::vector<const char*> words) {
+  words.insert(words.begin(), "millwear");
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  const auto parsed = parse_command_line(static_cast<int>(words.size()), words.data());
+  return {parsed, testing::internal::GetCapturedStdout(), testing::internal::GetCapturedStderr()};
+}
+
+TEST(CommandLine, TakesEveryOptionOfRun) {
+  const auto parsed = answer_to({"run", "case.toml", "--out", "there", "--ranks", "4", "--json",
+                                 "-q", "--dry-run", "--explain"})
+                          .parsed;
+  ASSERT_TRUE(parsed.command);
+  EXPECT_EQ(parsed.command->verb, Verb::run);
+  EXPECT_EQ(parsed.command->case_file, "case.toml");
+  EXPECT_EQ(parsed.command->out, "there");
+  EXPECT_EQ(parsed.command->ranks, 4);
+  EXPECT_EQ(parsed.command->form, OutputForm::json);
+  EXPECT_EQ(parsed.command->verbosity, Verbosity::quiet);
+  EXPECT_TRUE(parsed.command->dry_run);
+  EXPECT_TRUE(parsed.command->explain);
+}
+
+TEST(CommandLine, KnowsEveryVerb) {
+  const std::vector<std::pair<const char*, Verb>> verbs = {
+      {"check", Verb::check}, {"mesh", Verb::mesh},     {"deck", Verb::deck},
+      {"run", Verb::run},     {"status", Verb::status}, {"report", Verb::report}};
+  for (const auto& [name, verb] : verbs)
+    EXPECT_EQ(answer_to({name, "case.toml"}).parsed.command->verb, verb) << name;
+}
+
+TEST(CommandLine, EndsWellAfterHelpAndVersionOnStandardOutput) {
+  for (const auto& words : std::vector<std::vector<const char*>>{
+           {"--help"}, {"-h"}, {"run", "--help"}, {"--version"}}) {
+    const Answer answer = answer_to(words);
+    EXPECT_FALSE(answer.parsed.command);
+    EXPECT_EQ(answer.parsed.exit_code, 0);
+    EXPECT_THAT(answer.out, HasSubstr("millwear"));
+    EXPECT_EQ(answer.err, "");
+  }
+}
+
+TEST(CommandLine, RefusesWrongUsageWithExitCode2OnStandardError) {
+  for (const auto& words :
+       std::vector<std::vector<const char*>>{{},
+                                             {"grind", "case.toml"},
+                                             {"run"},
+                                             {"run", "case.toml", "--fast"},
+                                             {"run", "case.toml", "another"},
+                                             {"run", "case.toml", "--ranks"},
+                                             {"run", "case.toml", "--ranks=0"},
+                                             {"run", "case.toml", "--ranks=x"},
+                                             {"check", "case.toml", "--dry-run"},
+                                             {"run", "case.toml", "--out"}}) {
+    const Answer answer = answer_to(words);
+    EXPECT_FALSE(answer.parsed.command);
+    EXPECT_EQ(answer.parsed.exit_code, 2);
+    EXPECT_EQ(answer.out, "");
+    EXPECT_THAT(answer.err, HasSubstr("--help"));
+  }
+}
+
+TEST(CommandLine, SaysWhichRanksAreAllowed) {
+  EXPECT_THAT(answer_to({"run", "case.toml", "--ranks", "0"}).err, HasSubstr("not in range 1 to 100000"));
+}
+
+}  // namespace
+}  // namespace millwear::orchestrator

@@ -73,16 +73,19 @@ void ContactJoin::join(const Snapshot& contacts, const Snapshot& spins) {
   take_(joined_);
 }
 
+bool ContactJoin::is_id(double id) const {
+  return id >= 1.0 && id < static_cast<double>(row_of_particle_.size());
+}
+
 void ContactJoin::index_spins(const Snapshot& spins) {
   std::fill(row_of_particle_.begin(), row_of_particle_.end(), 0);
   states_.clear();
   for (std::size_t i = 0; i < spins.rows(); ++i) {
     const auto row = spins.row(i);
-    const auto id = static_cast<std::size_t>(row[0]);
-    if (id >= row_of_particle_.size())
-      throw ResultRejected(
-          fmt::format("a particle {} that the charge does not have, at step {}", id, spins.step));
-    row_of_particle_[id] = static_cast<std::uint32_t>(i + 1);
+    if (!is_id(row[0]))
+      throw ResultRejected(fmt::format("a particle {} that the charge does not have, at step {}",
+                                       row[0], spins.step));
+    row_of_particle_[static_cast<std::size_t>(row[0])] = static_cast<std::uint32_t>(i + 1);
     states_.push_back({class_of(static_cast<std::size_t>(row[1]) - 1, row[2]), row[2],
                        vector_at(row, 3), vector_at(row, 6), vector_at(row, 9)});
   }
@@ -99,11 +102,11 @@ std::size_t ContactJoin::class_of(std::size_t material, double radius) const {
 }
 
 const ContactJoin::ParticleState& ContactJoin::state_of(double id, long step) const {
-  const auto index = static_cast<std::size_t>(id);
-  if (index >= row_of_particle_.size() || row_of_particle_[index] == 0)
+  const std::uint32_t row = is_id(id) ? row_of_particle_[static_cast<std::size_t>(id)] : 0;
+  if (row == 0)
     throw ResultRejected(fmt::format(
-        "particle {} touches the wall at step {} but is not in the dump of spins", index, step));
-  return states_[row_of_particle_[index] - 1];
+        "particle {} touches the wall at step {} but is not in the dump of spins", id, step));
+  return states_[row - 1];
 }
 
 WallContact ContactJoin::contact_from(std::span<const double> row, long step) const {

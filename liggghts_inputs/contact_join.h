@@ -42,6 +42,7 @@ class ContactJoin {
   void join_ready();
   void join(const Snapshot& contacts, const Snapshot& spins);
   void index_spins(const Snapshot& spins);
+  [[nodiscard]] bool is_id(double id) const;
   [[nodiscard]] std::size_t class_of(std::size_t material, double radius) const;
   [[nodiscard]] WallContact contact_from(std::span<const double> row, long step) const;
   [[nodiscard]] const ParticleState& state_of(double id, long step) const;

@@ -94,7 +94,8 @@ void SnapshotReader::take_row(std::string_view line) {
     while (at != end && *at == ' ') ++at;
     double value = 0.0;
     const auto [next, problem] = std::from_chars(at, end, value);
-    if (problem != std::errc{} || !std::isfinite(value))
+    const bool ends_here = next == end || *next == ' ';
+    if (problem != std::errc{} || !ends_here || !std::isfinite(value))
       reject(fmt::format("column {} of {} is not a finite number in \"{}\"", column + 1,
                          snapshot_.columns, line.substr(0, 120)));
     snapshot_.values.push_back(value);

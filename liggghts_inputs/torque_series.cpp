@@ -19,10 +19,11 @@ std::vector<TorqueValue> read_torque_series(std::string_view text, const std::st
     TorqueValue value{};
     const char* const stop = line.data() + line.size();
     const auto step = std::from_chars(line.data(), stop, value.step);
-    if (step.ec == std::errc{} && step.ptr != stop) {
+    if (step.ec == std::errc{} && step.ptr != stop && *step.ptr == ' ') {
       const auto torque = std::from_chars(step.ptr + 1, stop, value.torque);
-      if (torque.ec == std::errc{} && std::isfinite(value.torque) &&
-          end != std::string_view::npos) {
+      const std::string_view rest(torque.ptr, static_cast<std::size_t>(stop - torque.ptr));
+      if (torque.ec == std::errc{} && rest.find_first_not_of(' ') == rest.npos &&
+          std::isfinite(value.torque) && end != std::string_view::npos) {
         series.push_back(value);
         continue;
       }

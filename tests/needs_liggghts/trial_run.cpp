@@ -1,0 +1,131 @@
+#include "tests/needs_liggghts/trial_run.h"
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+#include "liggghts_inputs/deck.h"
+#include "meshgen/stl_file.h"
+#include "mill/failure.h"
+#include "orchestrator/stretch_run.h"
+#include "wear/wear_law.h"
+
+namespace millwear::trial {
+namespace {
+
+namespace fs = std::filesystem;
+namespace names = liggghts::file_names;
+
+std::vector<liggghts::Snapshot> without_spin(std::vector<liggghts::Snapshot> spins) {
+  constexpr std::size_t first_spin_column = 9;
+  for (auto& snapshot : spins)
+    for (std::size_t i = 0; i < snapshot.values.size(); ++i)
+      if (i % liggghts::spin_columns >= first_spin_column) snapshot.values[i] = 0.0;
+  return spins;
+}
+
+}  // namespace
+
+ScratchFolder::ScratchFolder() {
+  std::string name = (fs::temp_directory_path() / "millwear_trial_XXXXXX").string();
+  path_ = mkdtemp(name.data());
+}
+
+ScratchFolder::~ScratchFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+fs::path ScratchFolder::stage(const std::string& name) const {
+  fs::create_directories(path_ / name);
+  return path_ / name;
+}
+
+bool liggghts_is_installed() {
+  try {
+    orchestrator::check_liggghts_is_installed();
+    return true;
+  } catch (const ExternalProgramError&) {
+    return false;
+  }
+}
+
+void write_text(const fs::path& file, const std::string& text) {
+  std::ofstream(file, std::ios::binary) << text;
+}
+
+std::string text_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+double mesh_tolerance(const Case& mill) {
+  return mill.dem.mesh_tolerance * 0.5 * smallest_diameter(mill);
+}
+
+meshgen::LinerMesh write_liner_mesh(const Case& mill, const LinerProfile& liner,
+                                    const fs::path& folder) {
+  auto mesh =
+      meshgen::build_liner_mesh(liner, mill.slice_length, {.tolerance = mesh_tolerance(mill)});
+  meshgen::write_stl(mesh, folder / "liner.stl");
+  return mesh;
+}
+
+Dumps run_deck(const fs::path& folder, int ranks, const liggghts::StretchExpectation& expected) {
+  Dumps dumps;
+  const bool measures = text_of(folder / names::deck).find(names::contacts) != std::string::npos;
+  std::vector<orchestrator::DumpPipe> pipes;
+  if (measures)
+    pipes = {{names::contacts, [&](std::string_view piece) { dumps.contacts += piece; }},
+             {names::spins, [&](std::string_view piece) { dumps.spins += piece; }}};
+  orchestrator::run_liggghts({folder, ranks, {}}, pipes);
+  liggghts::check_stretch_log(text_of(folder / names::log), names::log, expected);
+  return dumps;
+}
+
+liggghts::RunLog log_of(const fs::path& folder) {
+  return liggghts::read_run_log(text_of(folder / names::log));
+}
+
+std::vector<liggghts::Snapshot> snapshots_of(const std::string& dump, std::size_t columns) {
+  std::vector<liggghts::Snapshot> all;
+  liggghts::SnapshotReader reader(
+      "dump", columns, [&](const liggghts::Snapshot& snapshot) { all.push_back(snapshot); });
+  reader.feed(dump);
+  reader.finish();
+  return all;
+}
+
+void join_dumps(const Case& mill, const liggghts::StretchSteps& steps, const Dumps& dumps,
+                const liggghts::ContactJoin::Take& take, Spin spin) {
+  liggghts::ContactJoin join(mill, steps, take);
+  auto spins = snapshots_of(dumps.spins, liggghts::spin_columns);
+  if (spin == Spin::dropped) spins = without_spin(std::move(spins));
+  for (const auto& snapshot : snapshots_of(dumps.contacts, liggghts::contact_columns))
+    join.take_contacts(snapshot);
+  for (const auto& snapshot : spins) join.take_spins(snapshot);
+  join.finish();
+}
+
+WallLoad load_of(const Case& mill, const liggghts::StretchSteps& steps, const LinerProfile& liner,
+                 const Dumps& dumps, Spin spin) {
+  wear::LoadAccumulator accumulator(
+      liner, {.bins = mill.wear.bins,
+              .class_count = mill.charge.classes.size(),
+              .block_count = static_cast<std::size_t>(mill.wear.time_blocks),
+              .slice_length = mill.slice_length,
+              .duration = steps.measure_time(),
+              .sample_interval = steps.sample_interval(),
+              .contact_limit = 1.5 * mesh_tolerance(mill) + 0.02 * largest_diameter(mill)});
+  join_dumps(
+      mill, steps, dumps, [&](const WallContacts& sample) { accumulator.add(sample); }, spin);
+  wear::check_rejected_share(accumulator.load(), 0.0);
+  return wear::coarsened(accumulator.load(), wear::cells_per_bin);
+}
+
+double worn_volume(const Case& mill, const WallLoad& load) {
+  const auto depth = wear::depth_rate(wear::Archard{mill.wear.specific_wear_rate}, load);
+  return depth.dot(load.bin_area()) * load.rows * load.duration;
+}
+
+}  // namespace millwear::trial

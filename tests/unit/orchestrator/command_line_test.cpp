@@ -78,7 +78,8 @@ TEST(CommandLine, RefusesWrongUsageWithExitCode2OnStandardError) {
 }
 
 TEST(CommandLine, SaysWhichRanksAreAllowed) {
-  EXPECT_THAT(answer_to({"run", "case.toml", "--ranks", "0"}).err, HasSubstr("not in range 1 to 100000"));
+  EXPECT_THAT(answer_to({"run", "case.toml", "--ranks", "0"}).err,
+              HasSubstr("not in range 1 to 100000"));
 }
 
 }  // namespace

@@ -20,6 +20,7 @@ demo: build ## Wear the pilot mill's liner from new to its limit, and say where 
 test: ## Install what is missing, build with warnings as errors and run every test
 	@scripts/install_packages.sh test
 	@scripts/check_includes.sh
+	@scripts/check_format.sh
 	@cmake --preset ci >/dev/null
 	@cmake --build --preset ci
 	@$(CTEST)

@@ -12,7 +12,7 @@ struct MeshSettings {
   std::optional<double> longest_facet = std::nullopt;  ///< along the profile [m]
   /// [rad]; layers along the axis are added until no triangle has a smaller angle. LIGGGHTS warns
   /// below 0.5 degrees and takes two edges within 0.26 for one line.
-  double smallest_angle = 0.0523598775598298873;  // 3 degrees
+  double smallest_angle = 0.0104719755119659775;  // 0.6 degrees
   int most_layers = 20;  ///< a profile that needs more has facets too short for this slice
 };
 

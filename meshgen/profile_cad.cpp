@@ -10,9 +10,9 @@
 
 #include "meshgen/dxf_polyline.h"
 #include "meshgen/gmsh_kernel.h"
-#include "meshgen/published_file.h"
 #include "mill/failure.h"
 #include "mill/mill_frame.h"
+#include "mill/published_file.h"
 
 namespace millwear::meshgen {
 namespace {
@@ -47,7 +47,7 @@ void write_step(const LinerProfile& profile, double slice_length,
     section.surface.push_back(to_mill(profile.sector, node, 0, 0.0));
   }
   const double expected = steel_area(profile) * slice_length;
-  publish(path, [&](const std::filesystem::path& beside) {
+  publish_written(path, [&](const std::filesystem::path& beside) {
     write_solid_step(section, slice_length, beside);
     make_reproducible(beside);
     const double volume = volume_of_step(beside);
@@ -60,7 +60,7 @@ void write_step(const LinerProfile& profile, double slice_length,
 }
 
 void write_dxf(const LinerProfile& profile, const std::filesystem::path& path) {
-  publish(path, [&](const std::filesystem::path& beside) {
+  publish_written(path, [&](const std::filesystem::path& beside) {
     write_dxf_polyline(profile.nodes, layer, beside);
     const auto nodes = read_dxf_polyline(layer, beside);
     const bool same = std::ranges::equal(nodes, profile.nodes, [](const auto& a, const auto& b) {

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "meshgen/gmsh_kernel.h"
-#include "meshgen/published_file.h"
 #include "mill/failure.h"
+#include "mill/published_file.h"
 
 namespace millwear::meshgen {
 namespace {
@@ -106,7 +106,7 @@ void compare(const Triangulation& mesh, const std::filesystem::path& path) {
 }  // namespace
 
 void write_stl(const Triangulation& mesh, const std::filesystem::path& path) {
-  publish(path, [&](const std::filesystem::path& beside) {
+  publish_written(path, [&](const std::filesystem::path& beside) {
     write_ascii_stl(mesh, beside);
     compare(mesh, beside);
   });

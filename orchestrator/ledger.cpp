@@ -12,7 +12,7 @@
 #include <sstream>
 
 #include "mill/failure.h"
-#include "orchestrator/results/published_file.h"
+#include "mill/published_file.h"
 #include "orchestrator/run_folder.h"
 
 namespace millwear::orchestrator {

@@ -12,6 +12,10 @@ struct LoadRate {
   wear::SmoothedLoss smoothed;  ///< the same, smoothed along the profile
 };
 
+/// The load of one measurement is not resolved along the profile any finer than this [m]: the
+/// radius of the smallest particle.
+[[nodiscard]] double smoothing_resolution(const Case& mill);
+
 /// Lays the case's bins on a recorded load, applies the wear law and smooths the loss.
 [[nodiscard]] LoadRate rate_of_load(const Case& mill, const WallLoad& recorded);
 

@@ -7,6 +7,7 @@
 #include "meshgen/mesh_check.h"
 #include "meshgen/profile_cad.h"
 #include "meshgen/stl_file.h"
+#include "mill/published_file.h"
 #include "orchestrator/mesh_facts.h"
 #include "orchestrator/stages.h"
 
@@ -32,7 +33,7 @@ void write_mesh(const Case& mill, const LinerProfile& liner, const std::filesyst
   const auto mesh = meshgen::build_liner_mesh(liner, mill.slice_length, settings);
   const auto found = meshgen::check_mesh(mesh, liner, settings);
   meshgen::write_stl(mesh, into / stage_files::mesh);
-  write_file(into / stage_files::profile, profile_csv(liner));
+  publish(into / stage_files::profile, profile_csv(liner));
   meshgen::write_dxf(liner, into / stage_files::profile_dxf);
   meshgen::write_step(liner, mill.slice_length, into / stage_files::profile_step);
   const nlohmann::json facts = {
@@ -45,7 +46,7 @@ void write_mesh(const Case& mill, const LinerProfile& liner, const std::filesyst
       {"tolerance_m", mesh_tolerance(mill)},
       {"largest_deviation_m", found.largest_deviation},
       {"smallest_angle_deg", found.smallest_angle * 180.0 / std::numbers::pi}};
-  write_file(into / stage_files::mesh_facts, facts.dump(1) + "\n");
+  publish(into / stage_files::mesh_facts, facts.dump(1) + "\n");
 }
 
 std::size_t triangles_of_mesh(const std::filesystem::path& mesh_folder) {

@@ -5,12 +5,12 @@
 #include <nlohmann/json.hpp>
 
 #include "mill/case_lock.h"
+#include "mill/published_file.h"
 #include "orchestrator/campaign.h"
 #include "orchestrator/report/plots.h"
 #include "orchestrator/report/report.h"
 #include "orchestrator/results/history.h"
 #include "orchestrator/results/profiles.h"
-#include "orchestrator/results/published_file.h"
 #include "orchestrator/version.h"
 #include "wear/load_accumulator.h"
 #include "wear/load_store.h"
@@ -77,12 +77,8 @@ void publish_loads(const Campaign& campaign, const Ledger& ledger) {
         wear::read_load(campaign.folder.stage({cycle, StageKind::dem}) / stage_files::load);
     loads.push_back({cycle, wear::coarsened(recorded, wear::cells_per_bin)});
   }
-  const fs::path file = campaign.folder.results() / "bins.h5";
-  const fs::path beside = campaign.folder.results() / ".bins.h5.partial";
-  wear::write_loads(beside, loads);
-  sync_path(beside);
-  fs::rename(beside, file);
-  sync_path(file.parent_path());
+  publish_written(campaign.folder.results() / "bins.h5",
+                  [&](const fs::path& beside) { wear::write_loads(beside, loads); });
 }
 
 }  // namespace

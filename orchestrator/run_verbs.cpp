@@ -3,18 +3,19 @@
 
 #include <array>
 #include <cstdint>
+#include <ctime>
 #include <nlohmann/json.hpp>
 
 #include "mill/case_file.h"
 #include "mill/case_lock.h"
 #include "mill/case_warnings.h"
 #include "mill/failure.h"
+#include "mill/published_file.h"
 #include "orchestrator/campaign.h"
 #include "orchestrator/child_process.h"
 #include "orchestrator/cost_estimate.h"
 #include "orchestrator/gather.h"
 #include "orchestrator/result_files.h"
-#include "orchestrator/results/published_file.h"
 #include "orchestrator/run_lock.h"
 #include "orchestrator/stretch_run.h"
 #include "orchestrator/verbs.h"
@@ -198,6 +199,8 @@ void run_verb(const Command& command) {
   // Once more at the end: an earlier process may have died between its last stage and its results.
   const ReportData data = publish_campaign(campaign, finished);
   publish_pictures_if_possible(campaign, data, progress);
+  progress.detail(fmt::format("{:.1f} s of processor time went elsewhere than into LIGGGHTS",
+                              static_cast<double>(std::clock()) / CLOCKS_PER_SEC));
   print_outcome(command, folder, data);
 }
 

@@ -1,15 +1,12 @@
 #include "orchestrator/stages.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
-#include <cstring>
 
 #include "mill/failure.h"
+#include "mill/published_file.h"
 
 namespace millwear::orchestrator {
 namespace {
@@ -51,15 +48,6 @@ void make_folder(const fs::path& folder) {
   if (problem)
     throw DiskError(fmt::format("{}: no folder can be made here ({}); give another with --out",
                                 folder.string(), problem.message()));
-}
-
-void sync_path(const fs::path& path) {
-  const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  const bool synced = fd >= 0 && ::fsync(fd) == 0;
-  const int problem = errno;
-  if (fd >= 0) ::close(fd);
-  if (!synced)
-    throw DiskError(fmt::format("{}: cannot be synced: {}", path.string(), std::strerror(problem)));
 }
 
 LinerProfile liner_of_cycle(const Campaign& campaign, int cycle) {

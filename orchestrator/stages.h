@@ -28,9 +28,6 @@ struct Campaign {
 /// Makes a folder and those above it. Throws DiskError.
 void make_folder(const std::filesystem::path& folder);
 
-/// Makes sure a file or folder is on the disk. Throws DiskError.
-void sync_path(const std::filesystem::path& path);
-
 /// The work of each stage, into `into`; `wear` tells how it leaves the liner.
 void mesh_stage(const Campaign& campaign, int cycle, const std::filesystem::path& into);
 void mix_stage(const Campaign& campaign, const std::filesystem::path& into, Progress& progress);

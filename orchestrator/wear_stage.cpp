@@ -24,11 +24,15 @@ Outcome outcome_from_end(wear::EvolutionEnd end) {
 
 }  // namespace
 
+double smoothing_resolution(const Case& mill) { return 0.5 * smallest_diameter(mill); }
+
 LoadRate rate_of_load(const Case& mill, const WallLoad& recorded) {
   const auto load = wear::coarsened(recorded, static_cast<int>(recorded.bins()) / mill.wear.bins);
   const wear::Archard law{mill.wear.specific_wear_rate};
   const Eigen::VectorXd raw = wear::depth_rate(law, load);
-  return {load, raw, wear::smoothed(load.bin_edges, raw, wear::depth_rate_by_block(law, load))};
+  return {load, raw,
+          wear::smoothed(load.bin_edges, raw, wear::depth_rate_by_block(law, load),
+                         smoothing_resolution(mill))};
 }
 
 Outcome wear_stage(const Campaign& campaign, int cycle, const std::filesystem::path& into) {

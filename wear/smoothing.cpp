@@ -12,6 +12,7 @@ namespace millwear::wear {
 namespace {
 
 constexpr Eigen::Index fewest_bins = 8;
+constexpr Eigen::Index fewest_coefficients = 4;
 constexpr Eigen::Index most_coefficients = 128;
 constexpr Eigen::Index variance_half_width = 2;
 constexpr double variance_floor = 0.01;
@@ -76,14 +77,21 @@ Eigen::ArrayXd loaded_places(const Eigen::VectorXd& rate) {
   return loaded;
 }
 
+Eigen::Index coefficients_for(const Eigen::VectorXd& bin_edges, double resolution) {
+  const Eigen::Index bins = bin_edges.size() - 1;
+  const double length = bin_edges[bins] - bin_edges[0];
+  const auto resolved = resolution > 0.0 ? static_cast<Eigen::Index>(length / resolution) : bins;
+  return std::clamp(resolved, fewest_coefficients, std::min(most_coefficients, bins / 2));
+}
+
 }  // namespace
 
 SmoothedLoss smoothed(const Eigen::VectorXd& bin_edges, const Eigen::VectorXd& rate,
-                      const Eigen::MatrixXd& by_block) {
+                      const Eigen::MatrixXd& by_block, double resolution) {
   check(bin_edges, rate, by_block);
   const double before = rate.sum();
   if (before == 0.0) return {{bin_edges, rate}, 0.0, 0.0};
-  const Eigen::Index coefficients = std::min(most_coefficients, rate.size() / 2);
+  const Eigen::Index coefficients = coefficients_for(bin_edges, resolution);
   const double scale = rate.maxCoeff();
   const auto fit = fit_periodic_spline(rate / scale, weights_from(by_block), coefficients);
   Eigen::VectorXd after = fit.values.array().max(0.0) * loaded_places(rate);

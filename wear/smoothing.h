@@ -15,9 +15,12 @@ struct SmoothedLoss {
 /// Smooths the sampled loss along the profile: a periodic cubic B-spline with a coefficient for
 /// every two bins (at most 128), c minimising
 ///     sum w_i (y_i - sum_j B_j(s_i) c_j)^2 + lambda^2 sum_j (c_(j-1) - 2 c_j + c_(j+1))^2,
-/// lambda by generalised cross-validation. The weight of a bin is 1 / variance of its mean over the
-/// time blocks, the variance averaged over the bin and two neighbours on each side and not below a
-/// hundredth of the mean variance; with fewer than two blocks all bins weigh the same.
+/// lambda by generalised cross-validation. With a `resolution` [m] the coefficients are no closer
+/// than that: particles that stay locked in place while a pocket rises load the same spots
+/// together, noise that cross-validation takes for structure. The weight of a bin is 1 / variance
+/// of its mean over the time blocks, the variance averaged over the bin and two neighbours on each
+/// side and not below a hundredth of the mean variance; with fewer than two blocks all bins weigh
+/// the same.
 ///
 /// What the spline then has to keep to: it is cut at zero; inside a stretch of three or more bins
 /// with no loss it is zero but for one bin at each end, so no steel is lost where nothing touched;
@@ -28,6 +31,6 @@ struct SmoothedLoss {
 /// Technometrics 21, 215. Throws InputError for sizes that do not fit and negative rates, and
 /// ResultRejected where the fit fails.
 [[nodiscard]] SmoothedLoss smoothed(const Eigen::VectorXd& bin_edges, const Eigen::VectorXd& rate,
-                                    const Eigen::MatrixXd& by_block);
+                                    const Eigen::MatrixXd& by_block, double resolution = 0.0);
 
 }  // namespace millwear::wear

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mill/published_file.h"
 #include "orchestrator/report/gnuplot.h"
 #include "orchestrator/report/measured_charge.h"
-#include "orchestrator/results/published_file.h"
 
 namespace millwear::orchestrator {
 namespace {

@@ -56,7 +56,8 @@ TEST(LinerProfile, SteelOfABarePlateIsARing) {
   EXPECT_NEAR(lifter_area(bare_plate(0.5, 2000)), 0.0, 1e-7);
 }
 
-// Plate worn from radius 0.50 to 0.51 m: 10 mm are left, and its crest is 10 mm under the new plate.
+// Plate worn from radius 0.50 to 0.51 m: 10 mm are left, and its crest is 10 mm under the new
+// plate.
 TEST(LinerProfile, WornPlateIsThinAndHasNoLifter) {
   const LinerProfile worn = bare_plate(0.51, 500);
   EXPECT_NEAR(plate_thickness(worn), 0.01, 1e-12);

@@ -1,9 +1,9 @@
 #include <filesystem>
 #include <iostream>
 
+#include "mill/published_file.h"
 #include "orchestrator/report/plots.h"
 #include "orchestrator/report/report.h"
-#include "orchestrator/results/published_file.h"
 #include "tests/unit/report/synthetic_campaign.h"
 
 /// Writes the report and the pictures of a made-up campaign into a folder, to look at while working

@@ -7,8 +7,8 @@
 #include <memory>
 #include <string>
 
+#include "mill/published_file.h"
 #include "orchestrator/report/report.h"
-#include "orchestrator/results/published_file.h"
 #include "tests/unit/report/synthetic_campaign.h"
 
 namespace millwear::orchestrator {

@@ -1,3 +1,5 @@
+#include "wear/profile_motion.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -5,7 +7,6 @@
 
 #include "mill/failure.h"
 #include "sample_profiles.h"
-#include "wear/profile_motion.h"
 
 namespace millwear::wear {
 namespace {

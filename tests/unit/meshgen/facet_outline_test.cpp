@@ -1,10 +1,11 @@
+#include "meshgen/facet_outline.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "meshgen/facet_outline.h"
 #include "mill/failure.h"
 #include "tests/unit/meshgen/sample_liners.h"
 

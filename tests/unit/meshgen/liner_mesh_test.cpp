@@ -1,3 +1,5 @@
+#include "meshgen/liner_mesh.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -5,7 +7,6 @@
 #include <algorithm>
 
 #include "meshgen/facet_outline.h"
-#include "meshgen/liner_mesh.h"
 #include "mill/failure.h"
 #include "mill/mill_frame.h"
 #include "tests/unit/meshgen/sample_liners.h"

@@ -1,9 +1,10 @@
+#include "meshgen/profile_cad.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "meshgen/dxf_polyline.h"
 #include "meshgen/gmsh_kernel.h"
-#include "meshgen/profile_cad.h"
 #include "mill/failure.h"
 #include "tests/unit/meshgen/sample_liners.h"
 

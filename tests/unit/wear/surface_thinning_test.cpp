@@ -1,6 +1,6 @@
-#include <gtest/gtest.h>
-
 #include "wear/surface_thinning.h"
+
+#include <gtest/gtest.h>
 
 namespace millwear::wear {
 namespace {

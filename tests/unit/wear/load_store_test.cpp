@@ -1,3 +1,5 @@
+#include "wear/load_store.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <hdf5.h>
@@ -8,7 +10,6 @@
 #include <string>
 
 #include "mill/failure.h"
-#include "wear/load_store.h"
 
 namespace millwear::wear {
 namespace {

@@ -1,3 +1,5 @@
+#include "wear/charge_position.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -5,7 +7,6 @@
 #include <random>
 
 #include "mill/failure.h"
-#include "wear/charge_position.h"
 
 namespace millwear::wear {
 namespace {

@@ -1,3 +1,5 @@
+#include "wear/load_accumulator.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,7 +9,6 @@
 #include "mill/failure.h"
 #include "mill/mill_frame.h"
 #include "sample_profiles.h"
-#include "wear/load_accumulator.h"
 #include "wear/wear_law.h"
 
 namespace millwear::wear {

@@ -1,9 +1,10 @@
+#include "wear/profile_index.h"
+
 #include <gtest/gtest.h>
 
 #include <random>
 
 #include "sample_profiles.h"
-#include "wear/profile_index.h"
 
 namespace millwear::wear {
 namespace {

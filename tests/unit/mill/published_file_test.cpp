@@ -1,4 +1,4 @@
-#include "orchestrator/results/published_file.h"
+#include "mill/published_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 
 #include "mill/failure.h"
 
-namespace millwear::orchestrator {
+namespace millwear {
 namespace {
 
 using ::testing::HasSubstr;
@@ -99,4 +99,4 @@ TEST_F(PublishedFile, LeavesNothingWhereItsNameIsAFolder) {
 }
 
 }  // namespace
-}  // namespace millwear::orchestrator
+}  // namespace millwear

@@ -1,8 +1,9 @@
+#include "meshgen/stl_file.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "meshgen/liner_mesh.h"
-#include "meshgen/stl_file.h"
 #include "mill/failure.h"
 #include "mill/mill_frame.h"
 #include "tests/unit/meshgen/sample_liners.h"

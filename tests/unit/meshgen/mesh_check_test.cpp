@@ -1,3 +1,5 @@
+#include "meshgen/mesh_check.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -5,7 +7,6 @@
 #include <functional>
 
 #include "meshgen/facet_outline.h"
-#include "meshgen/mesh_check.h"
 #include "mill/failure.h"
 #include "tests/unit/meshgen/sample_liners.h"
 
@@ -42,7 +43,7 @@ TEST(CheckMesh, MeasuresASoundMesh) {
     outline_length += length;
   }
   EXPECT_NEAR(report.area, 12 * outline_length * slice, 1e-12);
-  EXPECT_GE(report.smallest_angle, 3.0 * degree);
+  EXPECT_GE(report.smallest_angle, 0.6 * degree);
   EXPECT_GT(report.largest_deviation, 0.1e-3);
   EXPECT_LE(report.largest_deviation, settings.tolerance);
 }

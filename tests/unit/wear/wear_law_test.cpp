@@ -1,7 +1,8 @@
+#include "wear/wear_law.h"
+
 #include <gtest/gtest.h>
 
 #include "mill/failure.h"
-#include "wear/wear_law.h"
 
 namespace millwear::wear {
 namespace {

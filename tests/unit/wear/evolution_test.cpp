@@ -1,8 +1,9 @@
+#include "wear/evolution.h"
+
 #include <gtest/gtest.h>
 
 #include "mill/failure.h"
 #include "sample_profiles.h"
-#include "wear/evolution.h"
 
 namespace millwear::wear {
 namespace {

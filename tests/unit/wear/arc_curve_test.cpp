@@ -1,6 +1,6 @@
-#include <gtest/gtest.h>
-
 #include "wear/arc_curve.h"
+
+#include <gtest/gtest.h>
 
 namespace millwear::wear {
 namespace {

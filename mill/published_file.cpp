@@ -20,11 +20,11 @@ namespace fs = std::filesystem;
                               path.string(), what, std::strerror(reason)));
 }
 
-/// An open file that is closed on the way out of an error.
+/// An open file that is closed on the way out of an error; messages name it as `shown`.
 class OpenFile {
  public:
-  OpenFile(const fs::path& path, int flags)
-      : path_(path), descriptor_(::open(path.c_str(), flags | O_CLOEXEC, 0644)) {
+  OpenFile(const fs::path& path, int flags, const fs::path& shown)
+      : path_(shown), descriptor_(::open(path.c_str(), flags | O_CLOEXEC, 0644)) {
     if (descriptor_ < 0) fail(path_, "open", errno);
   }
   ~OpenFile() {
@@ -73,7 +73,7 @@ struct Beside {
 
 void publish(const fs::path& path, std::string_view bytes) {
   const Beside beside(path);
-  OpenFile file(beside.path, O_WRONLY | O_CREAT | O_TRUNC);
+  OpenFile file(beside.path, O_WRONLY | O_CREAT | O_TRUNC, path);
   file.write(bytes);
   file.sync_and_close();
   beside.take_place(path);
@@ -89,6 +89,6 @@ void publish_written(const fs::path& path, const std::function<void(const fs::pa
   beside.take_place(path);
 }
 
-void sync_path(const fs::path& path) { OpenFile(path, O_RDONLY).sync_and_close(); }
+void sync_path(const fs::path& path) { OpenFile(path, O_RDONLY, path).sync_and_close(); }
 
 }  // namespace millwear

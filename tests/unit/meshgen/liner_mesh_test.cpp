@@ -81,7 +81,8 @@ TEST(LinerMesh, NormalOfTheTopLooksAtTheAxis) {
 // ceil(100 tan 3) = 6 layers of 16.7 mm, and no facet above 16.7 / tan 3 = 318 mm.
 TEST(LinerMesh, AddsLayersForAShortFacet) {
   const auto profile = profile_of({0.52, 0.50, 12}, {0.040, 0.001, 20.0 * degree, 20.0 * degree});
-  const LinerMesh mesh = build_liner_mesh(profile, 0.100, {.tolerance = 0.45e-3});
+  const LinerMesh mesh =
+      build_liner_mesh(profile, 0.100, {.tolerance = 0.45e-3, .smallest_angle = 3.0 * degree});
   EXPECT_EQ(mesh.layers, 6);
 }
 

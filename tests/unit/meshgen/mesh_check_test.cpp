@@ -104,7 +104,7 @@ TEST(CheckMesh, RejectsASliver) {
                   }
                 }
               }),
-              HasSubstr("degrees; the limit is 3"));
+              HasSubstr("degrees; the limit is 0.6"));
 }
 
 TEST(CheckMesh, RejectsAMeshOffItsProfile) {

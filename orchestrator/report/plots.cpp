@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -48,8 +49,20 @@ std::string power_block(const std::vector<MeasuredCharge>& charges) {
   return text + "EOD\n";
 }
 
+/// Height of the picture [px] at which profiles drawn at equal scales fill its width.
+int profile_picture_height(const std::vector<ProfileRow>& profiles) {
+  constexpr double drawing_width = 900.0;
+  constexpr double room_for_axis = 150.0;
+  Eigen::AlignedBox2d extent;
+  for (const auto& profile : profiles)
+    for (const auto& node : profile.nodes) extent.extend(node);
+  const Eigen::Vector2d sizes = extent.sizes();
+  return static_cast<int>(std::clamp(drawing_width * sizes.y() / sizes.x(), 150.0, 1200.0) +
+                          room_for_axis);
+}
+
 std::string profile_commands(const ReportData& data) {
-  return terminal(1200, 800) + profile_blocks(data.profiles) +
+  return terminal(1200, profile_picture_height(data.profiles)) + profile_blocks(data.profiles) +
          "set size ratio -1\n"
          "set xlabel 'along the direction of rotation [mm]'\n"
          "set ylabel 'height over the new plate [mm]'\n"

@@ -119,6 +119,16 @@ Measured measured_from(const Case& mill, const liggghts::StretchSteps& steps,
 
 }  // namespace
 
+wear::LoadMeasurement load_measurement(const Case& mill, const liggghts::StretchSteps& steps) {
+  return {.bins = mill.wear.bins,
+          .class_count = mill.charge.classes.size(),
+          .block_count = static_cast<std::size_t>(mill.wear.time_blocks),
+          .slice_length = mill.slice_length,
+          .duration = steps.measure_time(),
+          .sample_interval = steps.sample_interval(),
+          .contact_limit = 1.5 * mesh_tolerance(mill) + 0.02 * largest_diameter(mill)};
+}
+
 void write_mixing_deck(const Campaign& campaign, const fs::path& into) {
   const auto& mill = campaign.mill;
   const auto steps = liggghts::mixing_steps(mill, plan_steps(mill));
@@ -154,15 +164,7 @@ void dem_stage(const Campaign& campaign, int cycle, const fs::path& into, Progre
   check_free_disk(mill, steps, into);
   write_measuring_deck(campaign, cycle, into);
 
-  wear::LoadAccumulator load(
-      liner_of_cycle(campaign, cycle),
-      {.bins = mill.wear.bins,
-       .class_count = mill.charge.classes.size(),
-       .block_count = static_cast<std::size_t>(mill.wear.time_blocks),
-       .slice_length = mill.slice_length,
-       .duration = steps.measure_time(),
-       .sample_interval = steps.sample_interval(),
-       .contact_limit = 1.5 * mesh_tolerance(mill) + 0.02 * largest_diameter(mill)});
+  wear::LoadAccumulator load(liner_of_cycle(campaign, cycle), load_measurement(mill, steps));
   liggghts::ContactJoin join(mill, steps, [&](const WallContacts& sample) { load.add(sample); });
   liggghts::SnapshotReader contacts(
       (into / names::contacts).string(), liggghts::contact_columns,

@@ -7,6 +7,8 @@
 #include "liggghts_inputs/deck.h"
 #include "meshgen/stl_file.h"
 #include "mill/failure.h"
+#include "orchestrator/mesh_facts.h"
+#include "orchestrator/stages.h"
 #include "orchestrator/stretch_run.h"
 #include "wear/wear_law.h"
 
@@ -59,14 +61,10 @@ std::string text_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-double mesh_tolerance(const Case& mill) {
-  return mill.dem.mesh_tolerance * 0.5 * smallest_diameter(mill);
-}
-
 meshgen::LinerMesh write_liner_mesh(const Case& mill, const LinerProfile& liner,
                                     const fs::path& folder) {
-  auto mesh =
-      meshgen::build_liner_mesh(liner, mill.slice_length, {.tolerance = mesh_tolerance(mill)});
+  auto mesh = meshgen::build_liner_mesh(liner, mill.slice_length,
+                                        {.tolerance = orchestrator::mesh_tolerance(mill)});
   meshgen::write_stl(mesh, folder / "liner.stl");
   return mesh;
 }
@@ -109,14 +107,7 @@ void join_dumps(const Case& mill, const liggghts::StretchSteps& steps, const Dum
 
 WallLoad load_of(const Case& mill, const liggghts::StretchSteps& steps, const LinerProfile& liner,
                  const Dumps& dumps, Spin spin) {
-  wear::LoadAccumulator accumulator(
-      liner, {.bins = mill.wear.bins,
-              .class_count = mill.charge.classes.size(),
-              .block_count = static_cast<std::size_t>(mill.wear.time_blocks),
-              .slice_length = mill.slice_length,
-              .duration = steps.measure_time(),
-              .sample_interval = steps.sample_interval(),
-              .contact_limit = 1.5 * mesh_tolerance(mill) + 0.02 * largest_diameter(mill)});
+  wear::LoadAccumulator accumulator(liner, orchestrator::load_measurement(mill, steps));
   join_dumps(
       mill, steps, dumps, [&](const WallContacts& sample) { accumulator.add(sample); }, spin);
   wear::check_rejected_share(accumulator.load(), 0.0);

@@ -32,9 +32,6 @@ class ScratchFolder {
 void write_text(const std::filesystem::path& file, const std::string& text);
 [[nodiscard]] std::string text_of(const std::filesystem::path& file);
 
-/// How far the DEM mesh of a trial may lie from the profile [m].
-[[nodiscard]] double mesh_tolerance(const Case& mill);
-
 /// Builds the mesh of a liner as the program does and writes it to liner.stl in `folder`.
 meshgen::LinerMesh write_liner_mesh(const Case& mill, const LinerProfile& liner,
                                     const std::filesystem::path& folder);

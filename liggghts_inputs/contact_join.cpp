@@ -6,25 +6,33 @@
 #include <cmath>
 #include <utility>
 
+#include "mill/contact_motion.h"
 #include "mill/failure.h"
 
 namespace millwear::liggghts {
 namespace {
 
-constexpr double radius_tolerance = 1e-6;
-
 Eigen::Vector3d vector_at(std::span<const double> row, std::size_t column) {
   return {row[column], row[column + 1], row[column + 2]};
 }
 
+std::vector<double> friction_against_liner(const Case& mill) {
+  std::vector<double> friction;
+  for (const auto& kind : mill.charge.classes)
+    friction.push_back(pair_of(mill, kind.material, mill.liner_material).sliding_friction);
+  return friction;
+}
+
 }  // namespace
 
-ContactJoin::ContactJoin(const Case& mill, const StretchSteps& steps, Take take)
+ContactJoin::ContactJoin(const Case& mill, const StretchSteps& steps, Take take, Take begin)
     : classes_(mill.charge.classes),
+      friction_(friction_against_liner(mill)),
       slice_length_(mill.slice_length),
       mill_speed_(mill.speed),
       steps_(steps),
       take_(std::move(take)),
+      begin_(std::move(begin)),
       row_of_particle_(totals(mill).particles + 1, 0) {}
 
 void ContactJoin::take_contacts(const Snapshot& contacts) {
@@ -62,14 +70,16 @@ void ContactJoin::join_ready() {
 void ContactJoin::join(const Snapshot& contacts, const Snapshot& spins) {
   last_step_ = contacts.step;
   // A dump writes a sample at its very start too where that step is a multiple of the interval.
-  if (contacts.step == steps_.settle_steps) return;
-  ++samples_;
+  const bool at_start = contacts.step == steps_.settle_steps;
+  if (at_start && !begin_) return;
   index_spins(spins);
   joined_.time = steps_.time_step * static_cast<double>(contacts.step - steps_.settle_steps);
   joined_.mill_angle = mill_speed_ * steps_.time_step * static_cast<double>(contacts.step);
   joined_.contacts.clear();
   for (std::size_t i = 0; i < contacts.rows(); ++i)
     joined_.contacts.push_back(contact_from(contacts.row(i), contacts.step));
+  if (at_start) return begin_(joined_);
+  ++samples_;
   take_(joined_);
 }
 
@@ -86,16 +96,13 @@ void ContactJoin::index_spins(const Snapshot& spins) {
       throw ResultRejected(fmt::format("a particle {} that the charge does not have, at step {}",
                                        row[0], spins.step));
     row_of_particle_[static_cast<std::size_t>(row[0])] = static_cast<std::uint32_t>(i + 1);
-    states_.push_back({class_of(static_cast<std::size_t>(row[1]) - 1, row[2]), row[2],
+    states_.push_back({class_of_particle(static_cast<std::size_t>(row[1]) - 1, row[2]), row[2],
                        vector_at(row, 3), vector_at(row, 6), vector_at(row, 9)});
   }
 }
 
-std::size_t ContactJoin::class_of(std::size_t material, double radius) const {
-  for (std::size_t c = 0; c < classes_.size(); ++c)
-    if (classes_[c].material == material &&
-        std::abs(2.0 * radius - classes_[c].diameter) < radius_tolerance * classes_[c].diameter)
-      return c;
+std::size_t ContactJoin::class_of_particle(std::size_t material, double radius) const {
+  if (const auto found = class_of(classes_, material, 2.0 * radius)) return *found;
   throw ResultRejected(
       fmt::format("a particle of radius {} m and atom type {} is of no class of the charge", radius,
                   material + 1));
@@ -114,12 +121,22 @@ WallContact ContactJoin::contact_from(std::span<const double> row, long step) co
   const Eigen::Vector3d point = vector_at(row, 0);
   Eigen::Vector3d arm = point - particle.centre;
   arm.y() -= slice_length_ * std::round(arm.y() / slice_length_);
-  const Eigen::Vector3d into_wall = arm.normalized();
   const Eigen::Vector3d wall_velocity(mill_speed_ * point.z(), 0.0, -mill_speed_ * point.x());
-  const Eigen::Vector3d relative = particle.velocity + particle.spin.cross(arm) - wall_velocity;
-  const double closing = relative.dot(into_wall);
-  return {point,   -vector_at(row, 5).dot(into_wall), (relative - closing * into_wall).norm(),
-          closing, particle.particle_class,           static_cast<std::size_t>(row[3])};
+  const Eigen::Vector3d velocity = particle.velocity - wall_velocity;
+  const ContactMotion motion = contact_motion(arm, velocity, particle.spin);
+  const double force = -vector_at(row, 5).dot(motion.into_wall);
+  const double slip = motion.slip.norm();
+  return {.point = point,
+          .into_wall = motion.into_wall,
+          .normal_force = force,
+          .slip_speed = slip,
+          .normal_speed = motion.normal_speed,
+          .impact_speed = motion.impact_speed,
+          .shear_power = friction_[particle.particle_class] * std::abs(force) * slip,
+          .finnie_power = finnie_power(velocity, arm, motion.into_wall, std::abs(force)),
+          .particle_class = particle.particle_class,
+          .particle = static_cast<std::size_t>(row[4]),
+          .triangle = static_cast<std::size_t>(row[3])};
 }
 
 }  // namespace millwear::liggghts

@@ -17,12 +17,15 @@ inline constexpr std::size_t spin_columns = 12;    ///< of `dump spins`
 /// Joins the two dumps of a measuring deck, wall contacts and particles near the wall, step by
 /// step. LIGGGHTS's wall contacts carry no spin; with it the slip velocity of the surfaces is
 ///     v_slip = v + omega x (contact - centre) - Omega x contact,   less its normal part.
+/// The dumps tell no tangential force that could be trusted, so two measures are bounds here: the
+/// shear power is that of a contact that slides, mu Fn |v_slip|, and Finnie's force is Fn alone.
 /// Holds the snapshots of one dump that the other has not reached yet.
 class ContactJoin {
  public:
   using Take = std::function<void(const WallContacts&)>;
 
-  ContactJoin(const Case& mill, const StretchSteps& steps, Take take);
+  /// `begin` gets what touches the liner as the measurement begins, where the dumps have it.
+  ContactJoin(const Case& mill, const StretchSteps& steps, Take take, Take begin = {});
 
   void take_contacts(const Snapshot& contacts);
   void take_spins(const Snapshot& spins);
@@ -43,15 +46,17 @@ class ContactJoin {
   void join(const Snapshot& contacts, const Snapshot& spins);
   void index_spins(const Snapshot& spins);
   [[nodiscard]] bool is_id(double id) const;
-  [[nodiscard]] std::size_t class_of(std::size_t material, double radius) const;
+  [[nodiscard]] std::size_t class_of_particle(std::size_t material, double radius) const;
   [[nodiscard]] WallContact contact_from(std::span<const double> row, long step) const;
   [[nodiscard]] const ParticleState& state_of(double id, long step) const;
 
   std::vector<ParticleClass> classes_;
+  std::vector<double> friction_;  ///< of each class against the liner
   double slice_length_;
   double mill_speed_;
   StretchSteps steps_;
   Take take_;
+  Take begin_;
   std::map<long, Snapshot> waiting_contacts_, waiting_spins_;
   std::vector<std::uint32_t> row_of_particle_;  ///< by particle id, 1 + row, 0 where absent
   std::vector<ParticleState> states_;

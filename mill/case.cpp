@@ -77,4 +77,12 @@ double smallest_diameter(const Case& mill) {
   return std::min_element(classes.begin(), classes.end(), smaller)->diameter;
 }
 
+double mesh_tolerance(const Case& mill) {
+  return mill.dem.mesh_tolerance * 0.5 * smallest_diameter(mill);
+}
+
+double particle_mass(const Case& mill, const ParticleClass& kind) {
+  return mill.materials.at(kind.material).density * sphere_volume(kind.diameter);
+}
+
 }  // namespace millwear

@@ -45,6 +45,12 @@ struct Charge {
 
 enum class RollingFriction { cdt, epsd2 };
 
+/// How the wall contacts of a run are seen.
+enum class ContactPath {
+  recorder,  ///< every step, from inside LIGGGHTS, by millwear-recorder
+  dumps,     ///< sampled, through text dumps of the plain liggghts
+};
+
 struct DemSettings {
   double modulus_reduction;                 ///< the moduli are divided by this
   double rayleigh_fraction;                 ///< time step as a share of the least Rayleigh time
@@ -53,12 +59,16 @@ struct DemSettings {
   double mix_revolutions;  ///< before the first measurement
   int settle_pitches;      ///< turned on a new mesh before the load is measured
   double measure_revolutions;
+  ContactPath contact_path;
   int sample_every_steps;      ///< steps between two samples of the wall contacts
   int ranks;                   ///< MPI ranks; 0 takes every core
   std::optional<double> skin;  ///< neighbour skin [m]; by default a quarter of the mean radius
   double mesh_tolerance;       ///< mesh against profile, share of the least particle radius
   std::uint64_t seed;          ///< of the first packing
   bool keep_dumps;             ///< keep the contact dumps as files
+  bool keep_events;            ///< keep a row a collision with the liner (recorder only)
+  double pair_revolutions;  ///< at the end of a measurement in which collisions between particles
+                            ///< are recorded (recorder only)
   std::optional<double> time_step{};  ///< wanted [s], in place of the share of the Rayleigh time
 };
 
@@ -66,6 +76,7 @@ struct WearSettings {
   double specific_wear_rate;  ///< k = K/H of Archard's law [1/Pa]
   int bins;                   ///< along one pitch
   int time_blocks;            ///< replicates of the load in one measurement
+  double excess_speed;        ///< v_0 of the excess kinetic energy of an impact [m/s]
 };
 
 /// When to run the DEM anew, and when to stop.
@@ -114,6 +125,12 @@ struct Case {
 
 /// Shear modulus as it enters the DEM [Pa].
 [[nodiscard]] double softened_shear_modulus(const Case& mill, std::size_t material);
+
+/// How far the DEM mesh may lie from the profile [m].
+[[nodiscard]] double mesh_tolerance(const Case& mill);
+
+/// Mass of one particle of a class [kg].
+[[nodiscard]] double particle_mass(const Case& mill, const ParticleClass& kind);
 
 /// Largest and smallest particle diameters of the charge [m].
 [[nodiscard]] double largest_diameter(const Case& mill);

@@ -71,6 +71,10 @@ DemSettings build_dem(const CaseDocument& document) {
   const CaseTable defaults{"dem", 1, false, {}};
   const CaseTable* const written = document.find("dem");
   const CaseTable& dem = written == nullptr ? defaults : *written;
+  constexpr double every_step = 1.0;
+  constexpr double between_dumps = 20.0;
+  const auto path =
+      text_value(dem, "wall_contacts") == "dumps" ? ContactPath::dumps : ContactPath::recorder;
   return {.modulus_reduction = real_value(dem, "modulus_reduction"),
           .rayleigh_fraction = real_value(dem, "rayleigh_fraction"),
           .longest_time_step = optional_real(dem, "longest_time_step_s"),
@@ -80,12 +84,17 @@ DemSettings build_dem(const CaseDocument& document) {
           .mix_revolutions = real_value(dem, "mix_revolutions"),
           .settle_pitches = integer_value(dem, "settle_pitches"),
           .measure_revolutions = real_value(dem, "measure_revolutions"),
-          .sample_every_steps = integer_value(dem, "sample_every_steps"),
+          .contact_path = path,
+          .sample_every_steps = static_cast<int>(
+              optional_real(dem, "sample_every_steps")
+                  .value_or(path == ContactPath::recorder ? every_step : between_dumps)),
           .ranks = integer_value(dem, "ranks"),
           .skin = optional_real(dem, "skin_m"),
           .mesh_tolerance = real_value(dem, "mesh_tolerance"),
           .seed = static_cast<std::uint64_t>(integer_value(dem, "seed")),
           .keep_dumps = boolean_value(dem, "keep_dumps"),
+          .keep_events = boolean_value(dem, "keep_events"),
+          .pair_revolutions = real_value(dem, "pair_revolutions"),
           .time_step = optional_real(dem, "time_step_s")};
 }
 
@@ -93,7 +102,8 @@ WearSettings build_wear(const CaseDocument& document) {
   const CaseTable& wear = *document.find("wear");
   return {.specific_wear_rate = real_value(wear, "specific_wear_rate_per_pa"),
           .bins = integer_value(wear, "bins"),
-          .time_blocks = integer_value(wear, "time_blocks")};
+          .time_blocks = integer_value(wear, "time_blocks"),
+          .excess_speed = real_value(wear, "excess_speed_m_per_s")};
 }
 
 CampaignSettings build_campaign(const CaseDocument& document) {

@@ -100,12 +100,15 @@ void write_dem(const DemSettings& dem, LockWriter& lock) {
   lock.key("mix_revolutions", dem.mix_revolutions);
   lock.key("settle_pitches", dem.settle_pitches);
   lock.key("measure_revolutions", dem.measure_revolutions);
+  lock.text("wall_contacts", dem.contact_path == ContactPath::recorder ? "recorder" : "dumps");
   lock.key("sample_every_steps", dem.sample_every_steps);
   lock.key("ranks", dem.ranks);
   lock.key_if("skin_m", dem.skin);
   lock.key("mesh_tolerance", dem.mesh_tolerance);
   lock.key("seed", dem.seed);
   lock.key("keep_dumps", dem.keep_dumps);
+  lock.key("keep_events", dem.keep_events);
+  lock.key("pair_revolutions", dem.pair_revolutions);
 }
 
 void write_wear(const WearSettings& wear, LockWriter& lock) {
@@ -114,6 +117,7 @@ void write_wear(const WearSettings& wear, LockWriter& lock) {
   lock.key("specific_wear_rate_per_pa", wear.specific_wear_rate);
   lock.key("bins", wear.bins);
   lock.key("time_blocks", wear.time_blocks);
+  lock.key("excess_speed_m_per_s", wear.excess_speed);
 }
 
 void write_campaign(const CampaignSettings& campaign, LockWriter& lock) {

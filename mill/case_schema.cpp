@@ -130,8 +130,12 @@ constexpr KeySpec keys[] = {
      "pitches turned on a new mesh before the load is measured"},
     {"dem", "measure_revolutions", real, defaulted, "1", positive, "",
      "revolutions over which the load is measured"},
-    {"dem", "sample_every_steps", integer, defaulted, "20", between(1, 1000000), "",
-     "time steps between two samples of the wall contacts"},
+    {"dem", "wall_contacts", choice, defaulted, "\"recorder\"", any, "recorder|dumps",
+     "how wall contacts are seen: `recorder` takes every step from inside LIGGGHTS, `dumps` "
+     "samples through the text dumps of the plain `liggghts`"},
+    {"dem", "sample_every_steps", integer, optional, "", between(1, 1000000), "",
+     "time steps between two samples of the wall contacts; 1 for the recorder and 20 for dumps "
+     "where it is missing"},
     {"dem", "ranks", integer, defaulted, "0", between(0, 100000), "",
      "MPI ranks; 0 takes every core"},
     {"dem", "skin_m", real, optional, "", positive, "",
@@ -140,7 +144,13 @@ constexpr KeySpec keys[] = {
      "mesh against profile, share of the least particle radius [-]"},
     {"dem", "seed", integer, defaulted, "1", between(1, 2147483647), "",
      "seed of the first packing"},
-    {"dem", "keep_dumps", boolean, defaulted, "false", any, "", "keep the contact dumps"},
+    {"dem", "keep_dumps", boolean, defaulted, "false", any, "",
+     "keep the contact dumps (with `dumps`)"},
+    {"dem", "keep_events", boolean, defaulted, "false", any, "",
+     "keep a row for every collision with the liner, `events.h5` (with `recorder`)"},
+    {"dem", "pair_revolutions", real, defaulted, "0.02", between(0.0, 100.0), "",
+     "revolutions at the end of a measurement in which collisions between particles are "
+     "recorded for the impact spectra; 0 for none (with `recorder`)"},
 
     {"wear", "law", choice, defaulted, "\"archard\"", any, "archard", "the wear law"},
     {"wear", "specific_wear_rate_per_pa", real, required, "", above_up_to(0.0, 1e-6), "",
@@ -149,6 +159,8 @@ constexpr KeySpec keys[] = {
      "bins along one pitch of the liner"},
     {"wear", "time_blocks", integer, defaulted, "10", between(2, 1000), "",
      "replicates of the load in one measurement"},
+    {"wear", "excess_speed_m_per_s", real, defaulted, "0.1", between(0.0, 100.0), "",
+     "speed of impact above which the excess kinetic energy counts [m/s]"},
 
     {"campaign", "scheme", choice, defaulted, "\"threshold\"", any, "threshold",
      "how the next DEM is timed"},

@@ -14,6 +14,16 @@ double sphere_volume(double diameter) {
   return std::numbers::pi / 6.0 * diameter * diameter * diameter;
 }
 
+std::optional<std::size_t> class_of(const std::vector<ParticleClass>& classes, std::size_t material,
+                                    double diameter) {
+  constexpr double tolerance = 1e-6;
+  for (std::size_t c = 0; c < classes.size(); ++c)
+    if (classes[c].material == material &&
+        std::abs(diameter - classes[c].diameter) < tolerance * classes[c].diameter)
+      return c;
+  return std::nullopt;
+}
+
 std::vector<ParticleClass> counts_for_volume(std::size_t material,
                                              const std::vector<SieveClass>& distribution,
                                              double solid_volume, double truncate_below) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,11 @@ struct ChargeTotals {
 };
 
 [[nodiscard]] double sphere_volume(double diameter);
+
+/// The class of a particle of this material and diameter [m], to a millionth of it; none where no
+/// class fits.
+[[nodiscard]] std::optional<std::size_t> class_of(const std::vector<ParticleClass>& classes,
+                                                  std::size_t material, double diameter);
 
 /// Counts of each class for a wanted solid volume [m3] of one material, after the sieve classes
 /// below `truncate_below` [m] are dropped and the rest scaled up to the same volume:

@@ -5,13 +5,19 @@
 
 namespace millwear {
 
-/// One particle touching the liner at one instant.
+/// One particle touching the liner at one instant. Velocities are those at the end of the time
+/// step, of the particle against the moving wall.
 struct WallContact {
   Eigen::Vector3d point;       ///< [m], mill frame
+  Eigen::Vector3d into_wall;   ///< unit vector from the particle's centre to the point
   double normal_force;         ///< Fn [N], positive pushes; damping can pull as a contact ends
   double slip_speed;           ///< |v_slip| of the surfaces with the particle's spin [m/s]
   double normal_speed;         ///< closing speed of the surfaces [m/s], positive on approach
+  double impact_speed;         ///< of the particle's centre, without its spin [m/s]
+  double shear_power;          ///< work rate of the tangential force on the slip [W]
+  double finnie_power;         ///< 2 f(a) |v| |F| while approaching [W], docs/physics.md
   std::size_t particle_class;  ///< index into Charge::classes
+  std::size_t particle;        ///< its number, from 1
   std::size_t triangle;        ///< order of the STL file
 };
 

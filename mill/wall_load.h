@@ -7,17 +7,28 @@
 namespace millwear {
 
 /// What is accumulated on every bin of the liner. Rates are integrated over simulated time and
-/// summed over all lifters and the whole slice length.
+/// summed over all lifters and the whole slice length. docs/physics.md says what each stands for.
 enum class Measure {
   samples,             ///< contacts seen in samples [-]
+  events,              ///< collisions that began, see wear/collision_tracker.h [-]
   normal_impulse,      ///< int Fn dt [N s]
-  sliding_work,        ///< int Fn |v_slip| dt [J]
+  sliding_work,        ///< int max(Fn, 0) |v_slip| dt [J]
   normal_dissipation,  ///< int Fn v_n dt, v_n the closing speed [J]
+  shear_dissipation,   ///< int -Ft . v_slip dt [J]
+  incident_energy,     ///< sum over collisions of m v^2 / 2, v of the centre as they begin [J]
+  excess_energy,       ///< sum over collisions of m max(v - v_0, 0)^2 / 2 [J]
+  finnie,              ///< int 2 f(a) |v| |F| dt while approaching, a the angle of impact [J]
 };
-inline constexpr std::size_t measure_count = 4;
+inline constexpr std::size_t measure_count = 9;
 inline constexpr std::array<std::string_view, measure_count> measure_names = {
-    "samples", "normal_impulse", "sliding_work", "normal_dissipation"};
-inline constexpr std::array<std::string_view, measure_count> measure_units = {"1", "N s", "J", "J"};
+    "samples",           "events",          "normal_impulse", "sliding_work", "normal_dissipation",
+    "shear_dissipation", "incident_energy", "excess_energy",  "finnie"};
+inline constexpr std::array<std::string_view, measure_count> measure_units = {
+    "1", "1", "N s", "J", "J", "J", "J", "J", "J"};
+
+[[nodiscard]] constexpr std::size_t index_of(Measure measure) {
+  return static_cast<std::size_t>(measure);
+}
 
 /// The load on the master lifter by bin, particle class and time block.
 struct WallLoad {

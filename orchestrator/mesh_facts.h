@@ -6,9 +6,6 @@
 
 namespace millwear::orchestrator {
 
-/// How far the DEM mesh may lie from the profile [m].
-[[nodiscard]] double mesh_tolerance(const Case& mill);
-
 /// Writes the mesh of a liner (STL), its section (CSV, and STEP and DXF for CAD) and what is known
 /// of the mesh (JSON) into a folder. Throws what meshgen throws.
 void write_mesh(const Case& mill, const LinerProfile& liner, const std::filesystem::path& into);

@@ -24,10 +24,6 @@ std::string profile_csv(const LinerProfile& liner) {
 
 }  // namespace
 
-double mesh_tolerance(const Case& mill) {
-  return mill.dem.mesh_tolerance * 0.5 * smallest_diameter(mill);
-}
-
 void write_mesh(const Case& mill, const LinerProfile& liner, const std::filesystem::path& into) {
   const meshgen::MeshSettings settings{.tolerance = mesh_tolerance(mill)};
   const auto mesh = meshgen::build_liner_mesh(liner, mill.slice_length, settings);

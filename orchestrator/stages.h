@@ -1,11 +1,9 @@
 #pragma once
-#include "liggghts_inputs/stretch.h"
 #include "mill/case.h"
 #include "orchestrator/ledger.h"
 #include "orchestrator/measured.h"
 #include "orchestrator/progress.h"
 #include "orchestrator/run_folder.h"
-#include "wear/load_accumulator.h"
 
 namespace millwear::orchestrator {
 
@@ -37,11 +35,6 @@ void dem_stage(const Campaign& campaign, int cycle, const std::filesystem::path&
                Progress& progress);
 [[nodiscard]] Outcome wear_stage(const Campaign& campaign, int cycle,
                                  const std::filesystem::path& into);
-
-/// How a measuring stretch's wall contacts are recorded. A contact counts as long as it lies no
-/// farther from the profile than the mesh and an overlap can bring it.
-[[nodiscard]] wear::LoadMeasurement load_measurement(const Case& mill,
-                                                     const liggghts::StretchSteps& steps);
 
 /// The decks of a stretch and, for a mixing one, its charge, written into `into`.
 void write_mixing_deck(const Campaign& campaign, const std::filesystem::path& into);

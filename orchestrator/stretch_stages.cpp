@@ -94,7 +94,7 @@ Mean mean_by_blocks(const std::vector<double>& series, int blocks) {
 }
 
 Measured measured_from(const Case& mill, const liggghts::StretchSteps& steps,
-                       const wear::LoadAccumulator& load, const fs::path& torque_file) {
+                       const wear::LinerRecord& record, const fs::path& torque_file) {
   const auto torque = liggghts::read_torque_series(read_file(torque_file), torque_file.string());
   const long last = torque.empty() ? 0 : torque.back().step;
   const long interval =
@@ -111,23 +111,13 @@ Measured measured_from(const Case& mill, const liggghts::StretchSteps& steps,
   const Mean power = mean_by_blocks(measured.power_series, mill.wear.time_blocks);
   measured.power = power.value;
   measured.power_error = power.error;
-  measured.charge = wear::charge_position(load.charge_angles());
+  measured.charge = wear::charge_position(record.angles);
   measured.samples = steps.samples();
-  measured.rejected_share = wear::rejected_share(load.load());
+  measured.rejected_share = wear::rejected_share(record.load);
   return measured;
 }
 
 }  // namespace
-
-wear::LoadMeasurement load_measurement(const Case& mill, const liggghts::StretchSteps& steps) {
-  return {.bins = mill.wear.bins,
-          .class_count = mill.charge.classes.size(),
-          .block_count = static_cast<std::size_t>(mill.wear.time_blocks),
-          .slice_length = mill.slice_length,
-          .duration = steps.measure_time(),
-          .sample_interval = steps.sample_interval(),
-          .contact_limit = 1.5 * mesh_tolerance(mill) + 0.02 * largest_diameter(mill)};
-}
 
 void write_mixing_deck(const Campaign& campaign, const fs::path& into) {
   const auto& mill = campaign.mill;
@@ -164,8 +154,13 @@ void dem_stage(const Campaign& campaign, int cycle, const fs::path& into, Progre
   check_free_disk(mill, steps, into);
   write_measuring_deck(campaign, cycle, into);
 
-  wear::LoadAccumulator load(liner_of_cycle(campaign, cycle), load_measurement(mill, steps));
-  liggghts::ContactJoin join(mill, steps, [&](const WallContacts& sample) { load.add(sample); });
+  wear::LoadAccumulator load(
+      liner_of_cycle(campaign, cycle),
+      wear::load_measurement(mill, steps.measure_time(), steps.sample_interval(),
+                             mesh_of(campaign, cycle).triangles));
+  liggghts::ContactJoin join(
+      mill, steps, [&](const WallContacts& sample) { load.add(sample); },
+      [&](const WallContacts& sample) { load.begin_with(sample); });
   liggghts::SnapshotReader contacts(
       (into / names::contacts).string(), liggghts::contact_columns,
       [&](const liggghts::Snapshot& snapshot) { join.take_contacts(snapshot); });
@@ -184,11 +179,12 @@ void dem_stage(const Campaign& campaign, int cycle, const fs::path& into, Progre
   contacts.finish();
   spins.finish();
   join.finish();
-  wear::check_rejected_share(load.load(), largest_rejected_share);
+  const auto record = load.finish();
+  wear::check_rejected_share(record.load, largest_rejected_share);
 
-  wear::write_load(into / stage_files::load, load.load());
+  wear::write_record(into / stage_files::load, record);
   write_measured(into / stage_files::measured,
-                 measured_from(mill, steps, load, into / names::torque));
+                 measured_from(mill, steps, record, into / names::torque));
 }
 
 }  // namespace millwear::orchestrator

@@ -14,11 +14,12 @@ namespace {
 constexpr double beyond_the_end = 1.000001;
 
 const LoadMeasurement& checked(const LoadMeasurement& m) {
-  if (m.bins <= 0 || m.class_count == 0 || m.block_count == 0 || !(m.slice_length > 0.0) ||
-      !(m.duration > 0.0) || !(m.sample_interval > 0.0) || !(m.contact_limit > 0.0)) {
+  if (m.bins <= 0 || m.class_mass.empty() || m.block_count == 0 || m.particles == 0 ||
+      !(m.slice_length > 0.0) || !(m.duration > 0.0) || !(m.sample_interval > 0.0) ||
+      !(m.contact_limit > 0.0) || !(m.excess_speed >= 0.0)) {
     throw InputError(
-        "a load measurement needs bins, particle classes, time blocks, slice length, duration, "
-        "sample interval and contact limit above zero");
+        "a load measurement needs bins, particles and their classes, time blocks, slice length, "
+        "duration, sample interval and contact limit above zero");
   }
   return m;
 }
@@ -28,14 +29,22 @@ WallLoad empty_load(const LinerSector& sector, const LoadMeasurement& m, double 
   load.slice_length = m.slice_length;
   load.rows = sector.rows;
   load.duration = m.duration;
-  load.class_count = m.class_count;
+  load.class_count = m.class_mass.size();
   load.block_count = m.block_count;
   const Eigen::Index cells = Eigen::Index{m.bins} * cells_per_bin;
   load.bin_edges = Eigen::VectorXd::LinSpaced(cells + 1, 0.0, length);
   load.values.fill(
-      Eigen::MatrixXd::Zero(cells, static_cast<Eigen::Index>(m.class_count * m.block_count)));
+      Eigen::MatrixXd::Zero(cells, static_cast<Eigen::Index>(load.class_count * m.block_count)));
   load.rejected.fill(0.0);
   return load;
+}
+
+LinerRecord empty_record(const LinerSector& sector, const LoadMeasurement& m, double length) {
+  return {empty_load(sector, m, length), no_charge_angles(m.block_count),
+          empty_spectrum(static_cast<Eigen::Index>(m.class_mass.size())),
+          Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(measure_count),
+                                static_cast<Eigen::Index>(m.triangles)),
+          std::nullopt};
 }
 
 double share(double rejected, double taken) {
@@ -49,13 +58,19 @@ double share_of(const WallLoad& load, Measure measure) {
 
 }  // namespace
 
-LoadAccumulator::LoadAccumulator(const LinerProfile& profile, const LoadMeasurement& measurement)
+LoadAccumulator::LoadAccumulator(const LinerProfile& profile, const LoadMeasurement& measurement,
+                                 CollisionTracker::Take ended)
     : sector_(profile.sector),
       measurement_(checked(measurement)),
       index_(profile, measurement.contact_limit),
       cells_per_metre_(measurement.bins * cells_per_bin / index_.length()),
-      load_(empty_load(sector_, measurement, index_.length())),
-      angles_(no_charge_angles(measurement.block_count)) {}
+      record_(empty_record(sector_, measurement, index_.length())),
+      ended_(std::move(ended)),
+      tracker_(measurement.particles, measurement.sample_interval,
+               [this](const Collision& collision) { take_ended(collision); }) {
+  block_sums_.setZero(static_cast<Eigen::Index>(measure_count),
+                      record_.load.bins() * static_cast<Eigen::Index>(record_.load.class_count));
+}
 
 std::size_t LoadAccumulator::block_of(double time) const {
   const double end = measurement_.duration + beyond_the_end * measurement_.sample_interval;
@@ -70,36 +85,98 @@ std::size_t LoadAccumulator::block_of(double time) const {
   return std::min(block, measurement_.block_count - 1);
 }
 
+LoadAccumulator::Place LoadAccumulator::place_of(const WallContact& contact,
+                                                 double mill_angle) const {
+  const auto master = to_master(sector_, contact.point.x(), contact.point.z(), mill_angle);
+  return {index_.nearest(master.position), master.row};
+}
+
+LinerPlace LoadAccumulator::liner_place(const Place& place) const {
+  const bool on_it = place.on_profile.distance <= measurement_.contact_limit;
+  return {on_it ? place.on_profile.arc_length : -1.0, place.row};
+}
+
+void LoadAccumulator::check(const WallContact& contact, double time) const {
+  if (contact.particle_class >= measurement_.class_mass.size() ||
+      !std::isfinite(contact.point.x() + contact.point.z() + contact.normal_force +
+                     contact.slip_speed + contact.normal_speed + contact.shear_power +
+                     contact.finnie_power)) {
+    throw ResultRejected(fmt::format(
+        "a wall contact at {} s is of particle class {} of {} or holds a value that is not "
+        "finite",
+        time, contact.particle_class, measurement_.class_mass.size()));
+  }
+}
+
+void LoadAccumulator::begin_with(const WallContacts& sample) {
+  tracker_.begin_sample(sample.time, CollisionTracker::SampleKind::before);
+  for (const WallContact& contact : sample.contacts)
+    tracker_.add(contact, liner_place(place_of(contact, sample.mill_angle)));
+  tracker_.end_sample();
+}
+
 void LoadAccumulator::add(const WallContacts& sample) {
   const std::size_t block = block_of(sample.time);
+  if (block != block_) close_block();
+  block_ = block;
+  tracker_.begin_sample(sample.time, CollisionTracker::SampleKind::measured);
   const double dt = measurement_.sample_interval;
   for (const WallContact& contact : sample.contacts) {
-    const std::array<double, measure_count> amounts = {
-        1.0, contact.normal_force * dt,
+    check(contact, sample.time);
+    add_contact(record_.angles, angle_from_six_oclock(contact.point.x(), contact.point.z()),
+                contact.normal_force, block);
+    const Place place = place_of(contact, sample.mill_angle);
+    const double begins = tracker_.add(contact, liner_place(place)) ? 1.0 : 0.0;
+    const double half_mass = 0.5 * begins * measurement_.class_mass[contact.particle_class];
+    const double excess = std::max(contact.impact_speed - measurement_.excess_speed, 0.0);
+    Amounts amounts;
+    amounts << 1.0, begins, contact.normal_force * dt,
         std::max(contact.normal_force, 0.0) * contact.slip_speed * dt,
-        contact.normal_force * contact.normal_speed * dt};
-    const double x = contact.point.x();
-    const double z = contact.point.z();
-    if (contact.particle_class >= measurement_.class_count ||
-        !std::isfinite(x + z + amounts[1] + amounts[2] + amounts[3])) {
-      throw ResultRejected(fmt::format(
-          "a wall contact at {} s is of particle class {} of {} or holds a value that is not "
-          "finite",
-          sample.time, contact.particle_class, measurement_.class_count));
-    }
-    add_contact(angles_, angle_from_six_oclock(x, z), contact.normal_force, block);
-    const auto master = to_master(sector_, x, z, sample.mill_angle);
-    const ProfilePlace place = index_.nearest(master.position);
-    if (!(place.distance <= measurement_.contact_limit)) {
-      for (std::size_t m = 0; m < measure_count; ++m) load_.rejected[m] += amounts[m];
+        contact.normal_force * contact.normal_speed * dt, contact.shear_power * dt,
+        half_mass * contact.impact_speed * contact.impact_speed, half_mass * excess * excess,
+        contact.finnie_power * dt;
+    if (contact.triangle < measurement_.triangles)
+      record_.triangles.col(static_cast<Eigen::Index>(contact.triangle)).array() += amounts;
+    if (!(place.on_profile.distance <= measurement_.contact_limit)) {
+      for (std::size_t m = 0; m < measure_count; ++m)
+        record_.load.rejected[m] += amounts[static_cast<Eigen::Index>(m)];
       continue;
     }
-    const Eigen::Index cell =
-        std::min(static_cast<Eigen::Index>(place.arc_length * cells_per_metre_), load_.bins() - 1);
-    const auto column =
-        static_cast<Eigen::Index>(contact.particle_class * measurement_.block_count + block);
-    for (std::size_t m = 0; m < measure_count; ++m) load_.values[m](cell, column) += amounts[m];
+    const Eigen::Index cells = record_.load.bins();
+    const Eigen::Index cell = std::min(
+        static_cast<Eigen::Index>(place.on_profile.arc_length * cells_per_metre_), cells - 1);
+    block_sums_.col(static_cast<Eigen::Index>(contact.particle_class) * cells + cell) += amounts;
   }
+  tracker_.end_sample();
+}
+
+void LoadAccumulator::take_ended(const Collision& collision) {
+  const auto group = static_cast<Eigen::Index>(collision.particle_class);
+  if (collision.unfinished == Unfinished::none)
+    add_collision(record_.spectrum, group, collision.normal_dissipation,
+                  collision.shear_dissipation);
+  else
+    record_.spectrum.unfinished[group] += 1.0;
+  if (ended_) ended_(collision);
+}
+
+void LoadAccumulator::close_block() {
+  WallLoad& load = record_.load;
+  const Eigen::Index cells = load.bins();
+  for (std::size_t c = 0; c < load.class_count; ++c) {
+    const auto column = static_cast<Eigen::Index>(c * load.block_count + block_);
+    const auto first = static_cast<Eigen::Index>(c) * cells;
+    for (std::size_t m = 0; m < measure_count; ++m)
+      load.values[m].col(column) +=
+          block_sums_.row(static_cast<Eigen::Index>(m)).segment(first, cells).matrix().transpose();
+  }
+  block_sums_.setZero();
+}
+
+LinerRecord LoadAccumulator::finish() {
+  close_block();
+  tracker_.finish();
+  return record_;
 }
 
 WallLoad coarsened(const WallLoad& load, int factor) {
@@ -116,20 +193,6 @@ WallLoad coarsened(const WallLoad& load, int factor) {
     }
   }
   return coarse;
-}
-
-WallLoad sum_of(const WallLoad& first, const WallLoad& second) {
-  if (first.bin_edges != second.bin_edges || first.class_count != second.class_count ||
-      first.block_count != second.block_count || first.rows != second.rows ||
-      first.slice_length != second.slice_length || first.duration != second.duration) {
-    throw InputError("two wall loads can be summed only on the same bins, classes and blocks");
-  }
-  WallLoad sum = first;
-  for (std::size_t m = 0; m < measure_count; ++m) {
-    sum.values[m] += second.values[m];
-    sum.rejected[m] += second.rejected[m];
-  }
-  return sum;
 }
 
 double rejected_share(const WallLoad& load) { return share_of(load, Measure::normal_impulse); }

@@ -71,6 +71,16 @@ class Reader {
     return found.values.front();
   }
 
+  [[nodiscard]] Eigen::MatrixXd read_matrix(hid_t group, std::string_view name) const {
+    const auto [sizes, values] = read_values(group, name, 2);
+    return Eigen::Map<const Eigen::MatrixXd>(values.data(), static_cast<Eigen::Index>(sizes[1]),
+                                             static_cast<Eigen::Index>(sizes[0]));
+  }
+
+  [[nodiscard]] bool has(const char* name) const {
+    return H5Lexists(root(), name, H5P_DEFAULT) > 0;
+  }
+
   void check(herr_t status) const {
     if (status < 0) throw ResultRejected(damaged_ + "is damaged or incomplete; write it anew");
   }
@@ -126,7 +136,39 @@ WallLoad read_from(const Reader& reader, hid_t group) {
   return load;
 }
 
+ImpactSpectrum spectrum_from(const Reader& reader, const Handle& group) {
+  ImpactSpectrum spectrum{reader.read_matrix(group.id(), "normal_events"),
+                          reader.read_matrix(group.id(), "normal_energy"),
+                          reader.read_matrix(group.id(), "shear_events"),
+                          reader.read_matrix(group.id(), "shear_energy"),
+                          reader.read_matrix(group.id(), "unfinished").col(0)};
+  reader.check(spectrum.normal_events.rows() == energy_classes ? 0 : -1);
+  return spectrum;
+}
+
+PairRecord pairs_from(const Reader& reader, const Handle& group) {
+  return {reader.read_number(group.id(), "duration"), spectrum_from(reader, group),
+          reader.read_number(group.id(), "normal_dissipation"),
+          reader.read_number(group.id(), "shear_dissipation"),
+          reader.read_number(group.id(), "rolling_dissipation")};
+}
+
 }  // namespace
+
+LinerRecord read_record(const std::filesystem::path& path) {
+  const Reader reader(path, one_load);
+  LinerRecord record{};
+  record.load = read_from(reader, reader.root());
+  const Handle angles = reader.group("charge_angles");
+  record.angles = {reader.read_matrix(angles.id(), "contacts"),
+                   reader.read_matrix(angles.id(), "normal_force")};
+  reader.check(record.angles.contacts.rows() == degrees_around ? 0 : -1);
+  record.spectrum = spectrum_from(reader, reader.group("liner_collisions"));
+  if (reader.has("triangles")) record.triangles = reader.read_matrix(reader.root(), "triangles");
+  if (reader.has("particle_collisions"))
+    record.pairs = pairs_from(reader, reader.group("particle_collisions"));
+  return record;
+}
 
 WallLoad read_load(const std::filesystem::path& path) {
   const Reader reader(path, one_load);

@@ -4,11 +4,12 @@
 #include <vector>
 
 #include "mill/wall_load.h"
+#include "wear/liner_record.h"
 
 namespace millwear::wear {
 
 /// Version of the files below; files of another version are refused.
-inline constexpr int load_format_version = 1;
+inline constexpr int load_format_version = 2;
 
 /// The load of one cycle.
 struct StoredLoad {
@@ -16,16 +17,19 @@ struct StoredLoad {
   WallLoad load;
 };
 
-/// Writes a load as an HDF5 file, the same bytes for the same load. The file is built in memory and
-/// written in one go: HDF5 itself can hide a full disk. Writes straight to `path`:
+/// Writes a record as an HDF5 file, the same bytes for the same record. The file is built in memory
+/// and written in one go: HDF5 itself can hide a full disk. Writes straight to `path`:
 /// publishing it (beside, fsync, rename) is the caller's. Throws DiskError where that fails.
-void write_load(const std::filesystem::path& path, const WallLoad& load);
+void write_record(const std::filesystem::path& path, const LinerRecord& record);
 
 /// Reads it back. Throws DiskError where the file cannot be opened, ResultRejected where it is no
 /// wall load, of another version, or damaged.
+[[nodiscard]] LinerRecord read_record(const std::filesystem::path& path);
+
+/// The load alone of such a file.
 [[nodiscard]] WallLoad read_load(const std::filesystem::path& path);
 
-/// The same for the loads of many cycles, a group `cycle_000` for each.
+/// The loads of many cycles, a group `cycle_000` for each.
 void write_loads(const std::filesystem::path& path, std::span<const StoredLoad> loads);
 [[nodiscard]] std::vector<StoredLoad> read_loads(const std::filesystem::path& path);
 

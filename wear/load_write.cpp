@@ -76,6 +76,19 @@ class Writer {
     set.close(failure_);
   }
 
+  void write_number(const Handle& group, std::string_view name, std::string_view unit,
+                    double value) const {
+    write_values(group.id(), name, unit, std::array<hsize_t, 1>{1}, &value);
+  }
+
+  /// As rows of the file's array: a column of the matrix each.
+  void write_matrix(hid_t group, std::string_view name, std::string_view unit,
+                    const Eigen::MatrixXd& values) const {
+    const std::array<hsize_t, 2> sizes{static_cast<hsize_t>(values.cols()),
+                                       static_cast<hsize_t>(values.rows())};
+    write_values(group, name, unit, sizes, values.data());
+  }
+
   /// Ends the file in memory and puts its bytes on the disk.
   void publish() {
     check(H5Fflush(root(), H5F_SCOPE_LOCAL));
@@ -115,6 +128,19 @@ class Writer {
   Handle file_;
 };
 
+std::string joined_units() { return fmt::format("{}", fmt::join(measure_units, ", ")); }
+
+void write_into(const Writer& writer, const Handle& group, const ImpactSpectrum& spectrum) {
+  const Eigen::VectorXd edges = energy_edges();
+  writer.write_values(group.id(), "energy_edges", "J",
+                      std::array<hsize_t, 1>{static_cast<hsize_t>(edges.size())}, edges.data());
+  writer.write_matrix(group.id(), "normal_events", "1", spectrum.normal_events);
+  writer.write_matrix(group.id(), "normal_energy", "J", spectrum.normal_energy);
+  writer.write_matrix(group.id(), "shear_events", "1", spectrum.shear_events);
+  writer.write_matrix(group.id(), "shear_energy", "J", spectrum.shear_energy);
+  writer.write_matrix(group.id(), "unfinished", "1", spectrum.unfinished);
+}
+
 void write_into(const Writer& writer, hid_t group, const WallLoad& load) {
   const double rows = load.rows;
   const auto bins = static_cast<hsize_t>(load.bins());
@@ -129,15 +155,28 @@ void write_into(const Writer& writer, hid_t group, const WallLoad& load) {
   for (std::size_t m = 0; m < measure_count; ++m) {
     writer.write_values(group, measure_names[m], measure_units[m], sizes, load.values[m].data());
   }
-  writer.write_values(group, "rejected", fmt::format("{}", fmt::join(measure_units, ", ")),
-                      rejected, load.rejected.data());
+  writer.write_values(group, "rejected", joined_units(), rejected, load.rejected.data());
 }
 
 }  // namespace
 
-void write_load(const std::filesystem::path& path, const WallLoad& load) {
+void write_record(const std::filesystem::path& path, const LinerRecord& record) {
   Writer writer(path, one_load);
-  write_into(writer, writer.root(), load);
+  write_into(writer, writer.root(), record.load);
+  const Handle angles = writer.new_group("charge_angles");
+  writer.write_matrix(angles.id(), "contacts", "1", record.angles.contacts);
+  writer.write_matrix(angles.id(), "normal_force", "N", record.angles.normal_force);
+  write_into(writer, writer.new_group("liner_collisions"), record.spectrum);
+  if (record.triangles.cols() > 0)
+    writer.write_matrix(writer.root(), "triangles", joined_units(), record.triangles);
+  if (record.pairs) {
+    const Handle pairs = writer.new_group("particle_collisions");
+    writer.write_number(pairs, "duration", "s", record.pairs->duration);
+    writer.write_number(pairs, "normal_dissipation", "J", record.pairs->normal_dissipation);
+    writer.write_number(pairs, "shear_dissipation", "J", record.pairs->shear_dissipation);
+    writer.write_number(pairs, "rolling_dissipation", "J", record.pairs->rolling_dissipation);
+    write_into(writer, pairs, record.pairs->spectrum);
+  }
   writer.publish();
 }
 

@@ -79,11 +79,15 @@ TEST(Defaults, AreThoseOfTheManual) {
   EXPECT_EQ(mill.dem.modulus_reduction, 100.0);
   EXPECT_EQ(mill.dem.rayleigh_fraction, 0.3);
   EXPECT_EQ(mill.dem.rolling_friction, RollingFriction::cdt);
-  EXPECT_EQ(mill.dem.sample_every_steps, 20);
+  EXPECT_EQ(mill.dem.contact_path, ContactPath::recorder);
+  EXPECT_EQ(mill.dem.sample_every_steps, 1);
   EXPECT_EQ(mill.wear.bins, 120);
   EXPECT_EQ(mill.campaign.threshold, 0.15);
   EXPECT_DOUBLE_EQ(mill.campaign.plate_limit, 0.002);
   EXPECT_FALSE(mill.dem.keep_dumps);
+  EXPECT_FALSE(mill.dem.keep_events);
+  EXPECT_EQ(mill.dem.pair_revolutions, 0.02);
+  EXPECT_EQ(mill.wear.excess_speed, 0.1);
 }
 
 TEST(Manual, IsTheOneInDocs) {

@@ -59,7 +59,7 @@ TEST_F(SmallMill, TriangleAndGeometryAgreeOnWhereAContactIs) {
   const Stretch stretch =
       measure(mill_, measuring_, mill_.liner, scratch_.stage("dem"), "mix", 0, 1);
   const auto& sector = mill_.liner.sector;
-  const double tolerance = orchestrator::mesh_tolerance(mill_);
+  const double tolerance = mesh_tolerance(mill_);
   const double overlap = 0.01 * largest_diameter(mill_);
   const wear::ProfileIndex profile(mill_.liner, 0.01);
   std::size_t contacts = 0;

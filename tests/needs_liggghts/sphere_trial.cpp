@@ -31,13 +31,16 @@ Case one_sphere(const LinerProfile& liner, double speed, double restitution) {
                   .mix_revolutions = 1.0,
                   .settle_pitches = 0,
                   .measure_revolutions = 1.0,
+                  .contact_path = ContactPath::dumps,
                   .sample_every_steps = 1,
                   .ranks = 1,
                   .skin = {},
                   .mesh_tolerance = 1e-5 / sphere_radius,
                   .seed = 1,
-                  .keep_dumps = false},
-          .wear = {1e-12, 40, 4},
+                  .keep_dumps = false,
+                  .keep_events = false,
+                  .pair_revolutions = 0.0},
+          .wear = {1e-12, 40, 4, 0.1},
           .campaign = {0.15, 5, 0.01, 0.002, 50}};
 }
 

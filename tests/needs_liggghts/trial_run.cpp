@@ -64,7 +64,7 @@ std::string text_of(const fs::path& file) {
 meshgen::LinerMesh write_liner_mesh(const Case& mill, const LinerProfile& liner,
                                     const fs::path& folder) {
   auto mesh = meshgen::build_liner_mesh(liner, mill.slice_length,
-                                        {.tolerance = orchestrator::mesh_tolerance(mill)});
+                                        {.tolerance = mesh_tolerance(mill)});
   meshgen::write_stl(mesh, folder / "liner.stl");
   return mesh;
 }
@@ -107,11 +107,13 @@ void join_dumps(const Case& mill, const liggghts::StretchSteps& steps, const Dum
 
 WallLoad load_of(const Case& mill, const liggghts::StretchSteps& steps, const LinerProfile& liner,
                  const Dumps& dumps, Spin spin) {
-  wear::LoadAccumulator accumulator(liner, orchestrator::load_measurement(mill, steps));
+  wear::LoadAccumulator accumulator(
+      liner, wear::load_measurement(mill, steps.measure_time(), steps.sample_interval(), 0));
   join_dumps(
       mill, steps, dumps, [&](const WallContacts& sample) { accumulator.add(sample); }, spin);
-  wear::check_rejected_share(accumulator.load(), 0.0);
-  return wear::coarsened(accumulator.load(), wear::cells_per_bin);
+  const WallLoad load = accumulator.finish().load;
+  wear::check_rejected_share(load, 0.0);
+  return wear::coarsened(load, wear::cells_per_bin);
 }
 
 double worn_volume(const Case& mill, const WallLoad& load) {

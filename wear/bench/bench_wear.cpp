@@ -16,18 +16,38 @@ LinerProfile seed_lifter() { return profile_of({4.0, 3.9005, 52}, {0.215, 0.10, 
 void accumulate_contacts(benchmark::State& state) {
   const LinerProfile profile = profile_of({4.0, 3.9005, 52}, {0.215, 0.10, 0.2, 0.1});
   const double tolerance = 2e-3;
-  LoadAccumulator accumulator(profile, {200, 9, 20, 0.25, 1.0, 1e-3, tolerance});
+  const std::size_t contacts = 40000;
+  LoadAccumulator accumulator(profile, {.bins = 200,
+                                        .class_mass = std::vector<double>(9, 1.0),
+                                        .particles = contacts,
+                                        .triangles = 0,
+                                        .block_count = 20,
+                                        .slice_length = 0.25,
+                                        .duration = 1.0,
+                                        .sample_interval = 1e-3,
+                                        .contact_limit = tolerance,
+                                        .excess_speed = 0.1});
   std::mt19937 random(1);
   std::uniform_int_distribution<std::size_t> node(0, profile.nodes.size() - 2);
   std::uniform_int_distribution<int> row(0, 51);
   std::uniform_real_distribution<double> share(0.0, 1.0);
   WallContacts sample{0.5, 0.3, {}};
-  for (std::size_t i = 0; i < 40000; ++i) {
+  for (std::size_t i = 0; i < contacts; ++i) {
     const auto n = node(random);
     const Eigen::Vector2d place =
         profile.nodes[n] + share(random) * (profile.nodes[n + 1] - profile.nodes[n]);
     const auto xz = to_mill(profile.sector, place, row(random), sample.mill_angle);
-    sample.contacts.push_back({{xz.x(), 0.1, xz.y()}, 10.0, 0.1, 0.0, i % 9, 0});
+    sample.contacts.push_back({.point = {xz.x(), 0.1, xz.y()},
+                               .into_wall = Eigen::Vector3d(xz.x(), 0.0, xz.y()).normalized(),
+                               .normal_force = 10.0,
+                               .slip_speed = 0.1,
+                               .normal_speed = 0.0,
+                               .impact_speed = 0.1,
+                               .shear_power = 0.3,
+                               .finnie_power = 0.2,
+                               .particle_class = i % 9,
+                               .particle = i + 1,
+                               .triangle = 0});
   }
   for (auto _ : state) accumulator.add(sample);
   state.SetItemsProcessed(state.iterations() * static_cast<long>(sample.contacts.size()));

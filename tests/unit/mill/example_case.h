@@ -24,13 +24,16 @@ inline Case example_case() {
                   .mix_revolutions = 2.0,
                   .settle_pitches = 2,
                   .measure_revolutions = 1.0,
+                  .contact_path = ContactPath::dumps,
                   .sample_every_steps = 20,
                   .ranks = 0,
                   .skin = {},
                   .mesh_tolerance = 0.03,
                   .seed = 1,
-                  .keep_dumps = false},
-          .wear = {1e-12, 120, 10},
+                  .keep_dumps = false,
+                  .keep_events = false,
+                  .pair_revolutions = 0.0},
+          .wear = {1e-12, 120, 10, 0.1},
           .campaign = {0.15, 5, 0.01, 0.002, 50}};
 }
 

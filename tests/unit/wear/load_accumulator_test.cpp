@@ -14,17 +14,30 @@
 namespace millwear::wear {
 namespace {
 
-constexpr LoadMeasurement measurement{.bins = 50,
-                                      .class_count = 2,
-                                      .block_count = 4,
-                                      .slice_length = 0.25,
-                                      .duration = 2.0,
-                                      .sample_interval = 0.01,
-                                      .contact_limit = 1e-3};
+const LoadMeasurement measurement{.bins = 50,
+                                  .class_mass = {1.0, 2.0},
+                                  .particles = 4000,
+                                  .triangles = 3,
+                                  .block_count = 4,
+                                  .slice_length = 0.25,
+                                  .duration = 2.0,
+                                  .sample_interval = 0.01,
+                                  .contact_limit = 1e-3,
+                                  .excess_speed = 0.1};
 
 WallContact contact_at(const Eigen::Vector2d& master, int row, double mill_angle) {
   const auto place = to_mill(sample_sector, master, row, mill_angle);
-  return {{place.x(), 0.1, place.y()}, 100.0, 0.5, 0.2, 1, 0};
+  return {.point = {place.x(), 0.1, place.y()},
+          .into_wall = Eigen::Vector3d(place.x(), 0.0, place.y()).normalized(),
+          .normal_force = 100.0,
+          .slip_speed = 0.5,
+          .normal_speed = 0.2,
+          .impact_speed = 0.4,
+          .shear_power = 15.0,
+          .finnie_power = 3.0,
+          .particle_class = 1,
+          .particle = 7,
+          .triangle = 2};
 }
 
 /// Places up to 1.5 mm off the profile, all around the mill.
@@ -42,6 +55,7 @@ WallContacts random_contacts(const LinerProfile& profile, double time, double mi
     const Eigen::Vector2d place = profile.nodes[n] + share(random) * along + off(random) * normal;
     sample.contacts.push_back(contact_at(place, row(random), mill_angle));
     sample.contacts.back().normal_force = 1.0 + i;
+    sample.contacts.back().particle = static_cast<std::size_t>(i) + 1;
   }
   return sample;
 }
@@ -51,7 +65,7 @@ double sum(const WallLoad& load, Measure measure) { return load.total(measure).s
 TEST(LoadAccumulator, AddsEveryMeasureToItsCellClassAndBlock) {
   LoadAccumulator accumulator(square_lifter(), measurement);
   accumulator.add({1.6, 0.2, {contact_at({0.0, 0.1}, 3, 0.2)}});
-  const WallLoad& load = accumulator.load();
+  const WallLoad load = accumulator.finish().load;
   const Eigen::Index cell = load.bins() / 2;
   const Eigen::Index last_block_of_second_class = 7;
   double found = 0.0;
@@ -62,6 +76,15 @@ TEST(LoadAccumulator, AddsEveryMeasureToItsCellClassAndBlock) {
   EXPECT_DOUBLE_EQ(sum(load, Measure::normal_impulse), 100.0 * 0.01);
   EXPECT_DOUBLE_EQ(sum(load, Measure::sliding_work), 100.0 * 0.5 * 0.01);
   EXPECT_DOUBLE_EQ(sum(load, Measure::normal_dissipation), 100.0 * 0.2 * 0.01);
+  EXPECT_DOUBLE_EQ(sum(load, Measure::shear_dissipation), 15.0 * 0.01);
+  EXPECT_DOUBLE_EQ(sum(load, Measure::finnie), 3.0 * 0.01);
+  EXPECT_EQ(sum(load, Measure::events), 1.0);
+  EXPECT_DOUBLE_EQ(sum(load, Measure::incident_energy), 0.5 * 2.0 * 0.4 * 0.4);
+  EXPECT_DOUBLE_EQ(sum(load, Measure::excess_energy), 0.5 * 2.0 * 0.3 * 0.3);
+  const Eigen::MatrixXd triangles = accumulator.finish().triangles;
+  EXPECT_DOUBLE_EQ(triangles(static_cast<Eigen::Index>(Measure::sliding_work), 2),
+                   100.0 * 0.5 * 0.01);
+  EXPECT_EQ(triangles.leftCols(2).sum(), 0.0);
 }
 
 TEST(LoadAccumulator, BinsAndRejectedEqualTheTotal) {
@@ -73,10 +96,11 @@ TEST(LoadAccumulator, BinsAndRejectedEqualTheTotal) {
   for (const auto& contact : sample.contacts) {
     work += contact.normal_force * contact.slip_speed * measurement.sample_interval;
   }
-  const WallLoad& load = accumulator.load();
+  const WallLoad load = accumulator.finish().load;
   EXPECT_GT(load.rejected[0], 400.0);
   EXPECT_EQ(sum(load, Measure::samples) + load.rejected[0], 2000.0);
-  EXPECT_NEAR(sum(load, Measure::sliding_work) + load.rejected[2], work, 1e-12 * work);
+  EXPECT_NEAR(sum(load, Measure::sliding_work) + load.rejected[index_of(Measure::sliding_work)],
+              work, 1e-12 * work);
 }
 
 TEST(LoadAccumulator, RotatingEveryContactByOnePitchChangesNothing) {
@@ -93,8 +117,10 @@ TEST(LoadAccumulator, RotatingEveryContactByOnePitchChangesNothing) {
   }
   LoadAccumulator there(profile, measurement);
   there.add(sample);
-  const auto difference = here.load().values[2] - there.load().values[2];
-  EXPECT_LE(difference.cwiseAbs().maxCoeff(), 1e-12 * here.load().values[2].maxCoeff());
+  const Eigen::MatrixXd difference = here.finish().load.values[index_of(Measure::sliding_work)] -
+                                     there.finish().load.values[index_of(Measure::sliding_work)];
+  EXPECT_LE(difference.cwiseAbs().maxCoeff(),
+            1e-12 * here.finish().load.values[index_of(Measure::sliding_work)].maxCoeff());
 }
 
 // Turning the mill and its contacts together changes nothing either.
@@ -104,8 +130,10 @@ TEST(LoadAccumulator, TurnsBackByTheMillsAngle) {
   LoadAccumulator there(profile, measurement);
   here.add(random_contacts(profile, 0.3, 0.0));
   there.add(random_contacts(profile, 0.3, 1.234));
-  const auto difference = here.load().values[1] - there.load().values[1];
-  EXPECT_LE(difference.cwiseAbs().maxCoeff(), 1e-12 * here.load().values[1].maxCoeff());
+  const Eigen::MatrixXd difference = here.finish().load.values[index_of(Measure::normal_impulse)] -
+                                     there.finish().load.values[index_of(Measure::normal_impulse)];
+  EXPECT_LE(difference.cwiseAbs().maxCoeff(),
+            1e-12 * here.finish().load.values[index_of(Measure::normal_impulse)].maxCoeff());
 }
 
 // Near the sector's edge the nearest place may be on the next pitch: nothing is lost there.
@@ -115,8 +143,8 @@ TEST(LoadAccumulator, TakesContactsOnTheSectorsEdge) {
   for (const double off : {-1e-9, 0.0, 1e-9}) {
     accumulator.add({0.1, 0.0, {contact_at(point_at(sample_sector, 1.0, edge + off), 2, 0.0)}});
   }
-  EXPECT_EQ(accumulator.load().rejected[0], 0.0);
-  const Eigen::VectorXd samples = accumulator.load().total(Measure::samples);
+  EXPECT_EQ(accumulator.finish().load.rejected[0], 0.0);
+  const Eigen::VectorXd samples = accumulator.finish().load.total(Measure::samples);
   EXPECT_EQ(samples[0] + samples[samples.size() - 1], 3.0);
 }
 
@@ -128,7 +156,7 @@ TEST(LoadAccumulator, ADraggedContactWearsForceTimesDistance) {
     const double time = 0.01 * i;
     accumulator.add({time, 0.0, {contact_at({-0.04 + 4e-4 * i, 0.1}, 0, 0.0)}});
   }
-  const WallLoad load = coarsened(accumulator.load(), cells_per_bin);
+  const WallLoad load = coarsened(accumulator.finish().load, cells_per_bin);
   const double volume_rate = depth_rate(Archard{1e-12}, load).dot(load.bin_area());
   EXPECT_NEAR(volume_rate * 2.0 * sample_sector.rows, 1e-12 * 100.0 * 1.0, 1e-22);
 }
@@ -138,35 +166,36 @@ TEST(LoadAccumulator, ARollingContactWearsNothing) {
   auto contact = contact_at({0.0, 0.1}, 0, 0.0);
   contact.slip_speed = 0.0;
   accumulator.add({0.0, 0.0, {contact}});
-  EXPECT_EQ(depth_rate(Archard{1e-12}, accumulator.load()).sum(), 0.0);
+  EXPECT_EQ(depth_rate(Archard{1e-12}, accumulator.finish().load).sum(), 0.0);
 }
 
 TEST(LoadAccumulator, LaysBinsAfterwards) {
   LoadAccumulator accumulator(square_lifter(), measurement);
   accumulator.add(random_contacts(square_lifter(), 0.3, 0.7));
-  const WallLoad bins = coarsened(accumulator.load(), cells_per_bin);
+  const WallLoad bins = coarsened(accumulator.finish().load, cells_per_bin);
   EXPECT_EQ(bins.bins(), 50);
-  EXPECT_EQ(bins.bin_edges[50], accumulator.load().bin_edges[400]);
-  EXPECT_DOUBLE_EQ(bins.values[2].row(3).sum(),
-                   accumulator.load().values[2].middleRows(24, 8).sum());
+  EXPECT_EQ(bins.bin_edges[50], accumulator.finish().load.bin_edges[400]);
+  EXPECT_DOUBLE_EQ(
+      bins.values[index_of(Measure::sliding_work)].row(3).sum(),
+      accumulator.finish().load.values[index_of(Measure::sliding_work)].middleRows(24, 8).sum());
   EXPECT_THROW(static_cast<void>(coarsened(bins, 7)), InputError);
 }
 
 TEST(LoadAccumulator, RanksAddUp) {
   LoadAccumulator accumulator(square_lifter(), measurement);
   accumulator.add(random_contacts(square_lifter(), 0.3, 0.7));
-  const WallLoad twice = sum_of(accumulator.load(), accumulator.load());
+  const WallLoad twice = sum_of(accumulator.finish().load, accumulator.finish().load);
   EXPECT_DOUBLE_EQ(sum(twice, Measure::sliding_work),
-                   2.0 * sum(accumulator.load(), Measure::sliding_work));
-  EXPECT_EQ(twice.rejected[0], 2.0 * accumulator.load().rejected[0]);
+                   2.0 * sum(accumulator.finish().load, Measure::sliding_work));
+  EXPECT_EQ(twice.rejected[0], 2.0 * accumulator.finish().load.rejected[0]);
 }
 
 TEST(LoadAccumulator, RefusesTooManyContactsOffTheProfile) {
   LoadAccumulator accumulator(square_lifter(), measurement);
   accumulator.add({0.0, 0.0, {contact_at({0.0, 0.1}, 0, 0.0), contact_at({0.0, 0.2}, 0, 0.0)}});
-  EXPECT_DOUBLE_EQ(rejected_share(accumulator.load()), 0.5);
-  EXPECT_NO_THROW(check_rejected_share(accumulator.load(), 0.6));
-  EXPECT_THROW(check_rejected_share(accumulator.load(), 0.01), ResultRejected);
+  EXPECT_DOUBLE_EQ(rejected_share(accumulator.finish().load), 0.5);
+  EXPECT_NO_THROW(check_rejected_share(accumulator.finish().load, 0.6));
+  EXPECT_THROW(check_rejected_share(accumulator.finish().load, 0.01), ResultRejected);
 }
 
 TEST(LoadAccumulator, RefusesTimesOutsideAndValuesThatAreNoNumbers) {

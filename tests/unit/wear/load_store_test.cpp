@@ -33,6 +33,25 @@ WallLoad sample_load(double first_value) {
   return load;
 }
 
+LinerRecord sample_record(double first_value) {
+  LinerRecord record{sample_load(first_value), no_charge_angles(4), empty_spectrum(3),
+                     Eigen::MatrixXd::Constant(static_cast<Eigen::Index>(measure_count), 5, 2.0),
+                     PairRecord{0.3, empty_spectrum(6), 1.0, 2.0, 3.0}};
+  add_contact(record.angles, 0.2, 7.0, 3);
+  add_collision(record.spectrum, 1, 1e-3, 2e-4);
+  add_collision(record.pairs->spectrum, 4, 1e-2, 2e-2);
+  record.spectrum.unfinished[2] = 9.0;
+  return record;
+}
+
+void expect_same(const ImpactSpectrum& a, const ImpactSpectrum& b) {
+  EXPECT_EQ(a.normal_events, b.normal_events);
+  EXPECT_EQ(a.normal_energy, b.normal_energy);
+  EXPECT_EQ(a.shear_events, b.shear_events);
+  EXPECT_EQ(a.shear_energy, b.shear_energy);
+  EXPECT_EQ(a.unfinished, b.unfinished);
+}
+
 void expect_same(const WallLoad& a, const WallLoad& b) {
   EXPECT_EQ(a.slice_length, b.slice_length);
   EXPECT_EQ(a.rows, b.rows);
@@ -60,8 +79,33 @@ class LoadStore : public testing::Test {
 };
 
 TEST_F(LoadStore, ReadsBackWhatItWrote) {
-  write_load(file, sample_load(0.1));
+  write_record(file, sample_record(0.1));
   expect_same(read_load(file), sample_load(0.1));
+}
+
+TEST_F(LoadStore, ReadsBackTheWholeRecord) {
+  const LinerRecord written = sample_record(0.3);
+  write_record(file, written);
+  const LinerRecord found = read_record(file);
+  expect_same(found.load, written.load);
+  EXPECT_EQ(found.angles.contacts, written.angles.contacts);
+  EXPECT_EQ(found.angles.normal_force, written.angles.normal_force);
+  expect_same(found.spectrum, written.spectrum);
+  EXPECT_EQ(found.triangles, written.triangles);
+  ASSERT_TRUE(found.pairs.has_value());
+  expect_same(found.pairs->spectrum, written.pairs->spectrum);
+  EXPECT_EQ(found.pairs->duration, 0.3);
+  EXPECT_EQ(found.pairs->rolling_dissipation, 3.0);
+}
+
+TEST_F(LoadStore, ReadsARecordWithoutParticleContacts) {
+  LinerRecord written = sample_record(0.3);
+  written.pairs.reset();
+  written.triangles.resize(static_cast<Eigen::Index>(measure_count), 0);
+  write_record(file, written);
+  const LinerRecord found = read_record(file);
+  EXPECT_FALSE(found.pairs.has_value());
+  EXPECT_EQ(found.triangles.size(), 0);
 }
 
 TEST_F(LoadStore, KeepsTheLoadsOfEveryCycle) {
@@ -74,14 +118,14 @@ TEST_F(LoadStore, KeepsTheLoadsOfEveryCycle) {
 }
 
 TEST_F(LoadStore, WritesTheSameBytesForTheSameLoad) {
-  write_load(file, sample_load(0.1));
+  write_record(file, sample_record(0.1));
   const auto first = bytes_of(file);
-  write_load(folder / "again.h5", sample_load(0.1));
+  write_record(folder / "again.h5", sample_record(0.1));
   EXPECT_EQ(bytes_of(folder / "again.h5"), first);
 }
 
 TEST_F(LoadStore, EveryDatasetHasAUnit) {
-  write_load(file, sample_load(0.1));
+  write_record(file, sample_record(0.1));
   const hid_t h5 = H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   for (const char* name : {"slice_length", "rows", "duration", "bin_edges", "samples",
                            "normal_impulse", "sliding_work", "normal_dissipation", "rejected"}) {
@@ -91,28 +135,28 @@ TEST_F(LoadStore, EveryDatasetHasAUnit) {
 }
 
 TEST_F(LoadStore, RefusesAnotherVersion) {
-  write_load(file, sample_load(0.1));
+  write_record(file, sample_record(0.1));
   const hid_t h5 = H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
   const hid_t attribute = H5Aopen(h5, "format_version", H5P_DEFAULT);
-  const int next = 2;
+  const int next = load_format_version + 1;
   H5Awrite(attribute, H5T_NATIVE_INT, &next);
   H5Aclose(attribute);
   H5Fclose(h5);
   try {
     static_cast<void>(read_load(file));
-    FAIL() << "read a file of version 2";
+    FAIL() << "read a file of a newer version";
   } catch (const ResultRejected& refused) {
-    EXPECT_THAT(refused.what(), testing::HasSubstr("version 2"));
+    EXPECT_THAT(refused.what(), testing::HasSubstr("version 3"));
   }
 }
 
 TEST_F(LoadStore, RefusesAnotherType) {
-  write_load(file, sample_load(0.1));
+  write_record(file, sample_record(0.1));
   EXPECT_THROW(static_cast<void>(read_loads(file)), ResultRejected);
 }
 
 TEST_F(LoadStore, RefusesATruncatedFile) {
-  write_load(file, sample_load(0.1));
+  write_record(file, sample_record(0.1));
   const auto whole = fs::file_size(file);
   for (const auto part : {whole - 1, whole / 2, whole / 8, std::uintmax_t{0}}) {
     fs::resize_file(file, part);
@@ -126,7 +170,7 @@ TEST_F(LoadStore, RefusesAMissingFile) {
 
 TEST_F(LoadStore, SaysThatTheDiskIsFull) {
   if (!fs::exists("/dev/full")) GTEST_SKIP();
-  EXPECT_THROW(write_load("/dev/full", sample_load(0.1)), DiskError);
+  EXPECT_THROW(write_record("/dev/full", sample_record(0.1)), DiskError);
 }
 
 }  // namespace

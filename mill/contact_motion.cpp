@@ -1,0 +1,29 @@
+#include "mill/contact_motion.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace millwear {
+
+ContactMotion contact_motion(const Eigen::Vector3d& arm, const Eigen::Vector3d& velocity,
+                             const Eigen::Vector3d& spin) {
+  const Eigen::Vector3d into_wall = arm.normalized();
+  const Eigen::Vector3d surface = velocity + spin.cross(arm);
+  const double closing = surface.dot(into_wall);
+  return {into_wall, closing, surface - closing * into_wall, velocity.norm()};
+}
+
+double finnie_power(const Eigen::Vector3d& velocity, const Eigen::Vector3d& arm,
+                    const Eigen::Vector3d& wall_normal, double force) {
+  constexpr double least_speed = 1e-7;
+  const double speed = velocity.norm();
+  if (velocity.dot(arm) < 0.0 || speed < least_speed) return 0.0;
+  const double sine = std::min(1.0, std::abs(velocity.dot(wall_normal)) / speed);
+  const double cosine = std::sqrt(1.0 - sine * sine);
+  const double fraction =
+      3.0 * sine > cosine ? cosine * cosine / 3.0 : 2.0 * sine * cosine - 3.0 * sine * sine;
+  return 2.0 * fraction * speed * force;
+}
+
+}  // namespace millwear

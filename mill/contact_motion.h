@@ -1,0 +1,30 @@
+#pragma once
+#include <Eigen/Core>
+
+namespace millwear {
+
+/// How a sphere moves against the wall where it touches.
+struct ContactMotion {
+  Eigen::Vector3d into_wall;  ///< unit vector from the centre to the contact
+  double normal_speed;        ///< closing speed [m/s], positive on approach
+  Eigen::Vector3d slip;       ///< of the sphere's surface along the wall [m/s]
+  double impact_speed;        ///< of the centre, without the spin [m/s]
+};
+
+/// `arm` is the vector from the centre to the contact [m], `velocity` the centre's against the
+/// wall's at the contact [m/s], `spin` [rad/s]:
+///     v = velocity + spin x arm,   v_n = v . n,   v_slip = v - v_n n,   n = arm / |arm|.
+[[nodiscard]] ContactMotion contact_motion(const Eigen::Vector3d& arm,
+                                           const Eigen::Vector3d& velocity,
+                                           const Eigen::Vector3d& spin);
+
+/// Finnie's erosion as LIGGGHTS integrates it over a contact [W]: 2 f(a) |v| |F| while the centre
+/// approaches (v . arm >= 0), 0 while it leaves, where sin(a) = |v . n| / |v| and
+///     f(a) = sin(2 a) - 3 sin(a)^2   for tan(a) <= 1/3,   cos(a)^2 / 3   above.
+/// v is the centre's velocity against the wall, without spin; n the wall's unit normal, either way.
+/// Source: Finnie (1960), Wear 3, 87; Cleary (1998), Minerals Engineering 11, 1061; LIGGGHTS 3.8.0,
+/// fix mesh/surface/stress, wear finnie (which codes 1/3 as 0.33333).
+[[nodiscard]] double finnie_power(const Eigen::Vector3d& velocity, const Eigen::Vector3d& arm,
+                                  const Eigen::Vector3d& wall_normal, double force);
+
+}  // namespace millwear

@@ -132,6 +132,7 @@ WallContact ContactJoin::contact_from(std::span<const double> row, long step) co
           .slip_speed = slip,
           .normal_speed = motion.normal_speed,
           .impact_speed = motion.impact_speed,
+          .impact_normal_speed = motion.normal_speed,
           .shear_power = friction_[particle.particle_class] * std::abs(force) * slip,
           .finnie_power = finnie_power(velocity, arm, motion.into_wall, std::abs(force)),
           .particle_class = particle.particle_class,

@@ -5,8 +5,8 @@
 
 namespace millwear {
 
-/// One particle touching the liner at one instant. Velocities are those at the end of the time
-/// step, of the particle against the moving wall.
+/// One particle touching the liner at one instant. Velocities are of the particle against the
+/// moving wall at the end of the time step.
 struct WallContact {
   Eigen::Vector3d point;       ///< [m], mill frame
   Eigen::Vector3d into_wall;   ///< unit vector from the particle's centre to the point
@@ -14,6 +14,8 @@ struct WallContact {
   double slip_speed;           ///< |v_slip| of the surfaces with the particle's spin [m/s]
   double normal_speed;         ///< closing speed of the surfaces [m/s], positive on approach
   double impact_speed;         ///< of the particle's centre, without its spin [m/s]
+  double impact_normal_speed;  ///< its part towards the wall [m/s]; as the contact begins, both are
+                               ///< best known from before the contact's force has acted
   double shear_power;          ///< work rate of the tangential force on the slip [W]
   double finnie_power;         ///< 2 f(a) |v| |F| while approaching [W], docs/physics.md
   std::size_t particle_class;  ///< index into Charge::classes

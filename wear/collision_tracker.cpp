@@ -24,7 +24,7 @@ Collision begun(const WallContact& contact, const LinerPlace& place, double time
   collision.impact_speed = contact.impact_speed;
   collision.impact_angle =
       contact.impact_speed > 0.0
-          ? std::asin(std::clamp(contact.normal_speed / contact.impact_speed, 0.0, 1.0))
+          ? std::asin(std::clamp(contact.impact_normal_speed / contact.impact_speed, 0.0, 1.0))
           : 0.0;
   collision.particle = static_cast<std::uint32_t>(contact.particle);
   collision.particle_class = static_cast<std::uint32_t>(contact.particle_class);

@@ -43,6 +43,7 @@ void accumulate_contacts(benchmark::State& state) {
                                .slip_speed = 0.1,
                                .normal_speed = 0.0,
                                .impact_speed = 0.1,
+                               .impact_normal_speed = 0.0,
                                .shear_power = 0.3,
                                .finnie_power = 0.2,
                                .particle_class = i % 9,

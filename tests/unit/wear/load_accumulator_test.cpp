@@ -33,6 +33,7 @@ WallContact contact_at(const Eigen::Vector2d& master, int row, double mill_angle
           .slip_speed = 0.5,
           .normal_speed = 0.2,
           .impact_speed = 0.4,
+          .impact_normal_speed = 0.2,
           .shear_power = 15.0,
           .finnie_power = 3.0,
           .particle_class = 1,

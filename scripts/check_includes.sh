@@ -38,15 +38,16 @@ library() {
 library gmsh "gmsh\.h" meshgen/gmsh_kernel.cpp
 library dxflib "dxflib/|dl_" meshgen/dxf_polyline.cpp
 library GSL "gsl/" wear/penalised_spline.cpp
-library HDF5 "hdf5|H5" wear/load_read.cpp wear/load_write.cpp
+library HDF5 "hdf5|H5" wear/hdf5_file.cpp wear/load_read.cpp wear/load_write.cpp \
+  wear/collision_store.cpp
 library Clipper "polyclipping/|clipper" wear/steel_cut.cpp
 library toml++ "toml" mill/case_document.cpp
 library CLI11 "CLI/" orchestrator/command_line.cpp
 
-# The wear laws, bins, smoothing and evolution are pure: no files, clock or randomness. The store of
-# loads (load_*) is the exception.
+# The wear laws, bins, smoothing and evolution are pure: no files, clock or randomness. The stores of
+# loads and collisions are the exception.
 impure=$(grep -nE '#include <(fstream|iostream|filesystem|chrono|random|cstdlib|unistd.h)>' \
-  wear/*.h wear/*.cpp | grep -vE '^wear/load_(store|read|write)\.' || true)
-[ -z "$impure" ] || { echo "wear is pure but for its store:"; echo "$impure"; broken=1; }
+  wear/*.h wear/*.cpp | grep -vE '^wear/(load_(store|read|write)|collision_store|hdf5_file)\.' || true)
+[ -z "$impure" ] || { echo "wear is pure but for its stores:"; echo "$impure"; broken=1; }
 
 exit $broken

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "wear/hdf5_handle.h"
+#include "wear/hdf5_file.h"
 #include "wear/load_store.h"
 
 namespace millwear::wear {
@@ -16,17 +16,7 @@ namespace {
 class Reader {
  public:
   Reader(const std::filesystem::path& path, std::string_view type)
-      : path_(path.string()), damaged_(path_ + ": "), file_(open(path)) {
-    if (read_text("type") != type) throw ResultRejected(damaged_ + fmt::format("is no {}", type));
-    int version = 0;
-    Handle attribute = owned(H5Aopen(root(), "format_version", H5P_DEFAULT), H5Aclose);
-    check(H5Aread(attribute.id(), H5T_NATIVE_INT, &version));
-    if (version != load_format_version) {
-      throw ResultRejected(fmt::format(
-          "{}: has format version {}, this program reads version {}; write it anew with this one",
-          path_, version, load_format_version));
-    }
-  }
+      : damaged_(damaged_text(path)), file_(open_to_read(path, {type, load_format_version})) {}
 
   [[nodiscard]] hid_t root() const { return file_.id(); }
 
@@ -82,7 +72,7 @@ class Reader {
   }
 
   void check(herr_t status) const {
-    if (status < 0) throw ResultRejected(damaged_ + "is damaged or incomplete; write it anew");
+    if (status < 0) throw ResultRejected(damaged_);
   }
 
  private:
@@ -91,21 +81,6 @@ class Reader {
     return {id, closer, damaged_};
   }
 
-  [[nodiscard]] Handle open(const std::filesystem::path& path) const {
-    if (!std::filesystem::is_regular_file(path)) throw DiskError(path_ + ": there is no such file");
-    return owned(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
-  }
-
-  [[nodiscard]] std::string read_text(const char* name) const {
-    Handle attribute = owned(H5Aopen(root(), name, H5P_DEFAULT), H5Aclose);
-    Handle type = owned(H5Aget_type(attribute.id()), H5Tclose);
-    check(H5Tis_variable_str(type.id()) == 0 ? 0 : -1);
-    std::string text(H5Tget_size(type.id()), '\0');
-    check(H5Aread(attribute.id(), type.id(), text.data()));
-    return text.substr(0, text.find('\0'));
-  }
-
-  std::string path_;
   std::string damaged_;
   QuietErrors quiet_;
   Handle file_;

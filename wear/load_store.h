@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "mill/wall_load.h"
@@ -8,8 +9,10 @@
 
 namespace millwear::wear {
 
-/// Version of the files below; files of another version are refused.
+/// Version and types of the files below; files of another version are refused.
 inline constexpr int load_format_version = 2;
+inline constexpr std::string_view one_load = "millwear wall load";
+inline constexpr std::string_view many_loads = "millwear wall loads";
 
 /// The load of one cycle.
 struct StoredLoad {

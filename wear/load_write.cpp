@@ -7,18 +7,10 @@
 #include <string_view>
 #include <vector>
 
-#include "wear/hdf5_handle.h"
+#include "wear/hdf5_file.h"
 #include "wear/load_store.h"
 
 namespace millwear::wear {
-
-QuietErrors::QuietErrors() {
-  H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-}
-
-QuietErrors::~QuietErrors() { H5Eset_auto2(H5E_DEFAULT, function_, data_); }
-
 namespace {
 
 constexpr unsigned deflate_level = 4;
@@ -26,11 +18,8 @@ constexpr unsigned deflate_level = 4;
 class Writer {
  public:
   Writer(const std::filesystem::path& path, std::string_view type)
-      : path_(path),
-        failure_(fmt::format("{}: cannot be written; is the disk full?", path.string())),
-        file_(create()) {
-    write_text(file_.id(), "type", type);
-    write_number(file_.id(), "format_version", load_format_version);
+      : path_(path), failure_(unwritten_text(path)), file_(create()) {
+    write_format(root(), {type, load_format_version}, failure_);
   }
 
   [[nodiscard]] hid_t root() const { return file_.id(); }
@@ -39,24 +28,6 @@ class Writer {
     Handle options = untimed(H5P_GROUP_CREATE);
     return {H5Gcreate2(root(), name.c_str(), H5P_DEFAULT, options.id(), H5P_DEFAULT), H5Gclose,
             failure_};
-  }
-
-  void write_number(hid_t owner, const char* name, int value) const {
-    Handle space(H5Screate(H5S_SCALAR), H5Sclose, failure_);
-    Handle attribute(H5Acreate2(owner, name, H5T_STD_I32LE, space.id(), H5P_DEFAULT, H5P_DEFAULT),
-                     H5Aclose, failure_);
-    check(H5Awrite(attribute.id(), H5T_NATIVE_INT, &value));
-    attribute.close(failure_);
-  }
-
-  void write_text(hid_t owner, const char* name, std::string_view text) const {
-    Handle type(H5Tcopy(H5T_C_S1), H5Tclose, failure_);
-    check(H5Tset_size(type.id(), text.size() + 1));
-    Handle space(H5Screate(H5S_SCALAR), H5Sclose, failure_);
-    Handle attribute(H5Acreate2(owner, name, type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT),
-                     H5Aclose, failure_);
-    check(H5Awrite(attribute.id(), type.id(), std::string(text).c_str()));
-    attribute.close(failure_);
   }
 
   template <std::size_t rank>
@@ -72,7 +43,7 @@ class Writer {
                           options.id(), H5P_DEFAULT),
                H5Dclose, failure_);
     check(H5Dwrite(set.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values));
-    write_text(set.id(), "unit", unit);
+    write_attribute(set.id(), "unit", unit, failure_);
     set.close(failure_);
   }
 

@@ -8,6 +8,7 @@
 
 #include "mill/charge.h"
 #include "mill/liner_profile.h"
+#include "mill/wear_mechanism.h"
 
 namespace millwear {
 
@@ -73,10 +74,10 @@ struct DemSettings {
 };
 
 struct WearSettings {
-  double specific_wear_rate;  ///< k = K/H of Archard's law [1/Pa]
-  int bins;                   ///< along one pitch
-  int time_blocks;            ///< replicates of the load in one measurement
-  double excess_speed;        ///< v_0 of the excess kinetic energy of an impact [m/s]
+  std::vector<WearMechanism> mechanisms;  ///< the law is their sum
+  int bins;                               ///< along one pitch
+  int time_blocks;                        ///< replicates of the load in one measurement
+  double excess_speed;                    ///< v_0 of the excess kinetic energy of an impact [m/s]
 };
 
 /// When to run the DEM anew, and when to stop.

@@ -98,14 +98,6 @@ DemSettings build_dem(const CaseDocument& document) {
           .time_step = optional_real(dem, "time_step_s")};
 }
 
-WearSettings build_wear(const CaseDocument& document) {
-  const CaseTable& wear = *document.find("wear");
-  return {.specific_wear_rate = real_value(wear, "specific_wear_rate_per_pa"),
-          .bins = integer_value(wear, "bins"),
-          .time_blocks = integer_value(wear, "time_blocks"),
-          .excess_speed = real_value(wear, "excess_speed_m_per_s")};
-}
-
 CampaignSettings build_campaign(const CaseDocument& document) {
   const CaseTable& campaign = *document.find("campaign");
   const double plate_thickness = real_value(*document.find("lifter"), "plate_thickness_m");

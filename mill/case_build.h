@@ -24,7 +24,12 @@ namespace millwear {
                                   CaseProblems& problems);
 
 [[nodiscard]] DemSettings build_dem(const CaseDocument& document);
-[[nodiscard]] WearSettings build_wear(const CaseDocument& document);
+
+/// The wear law, of [wear] itself or of [[wear.mechanisms]], and its bins and blocks.
+[[nodiscard]] WearSettings build_wear(const CaseDocument& document,
+                                      const std::vector<Material>& materials,
+                                      CaseProblems& problems);
+
 [[nodiscard]] CampaignSettings build_campaign(const CaseDocument& document);
 
 /// Speed [rad/s], a whole `speed_rpm` x pi / 30 in either form, so that a locked copy repeats it.

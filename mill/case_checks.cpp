@@ -143,6 +143,32 @@ void check_time_step(const Case& mill, const CaseDocument& document, CaseProblem
   }
 }
 
+std::string spoken_classes(const Case& mill) {
+  std::string text;
+  for (const ParticleClass& kind : mill.charge.classes) {
+    text += fmt::format("{}{} of {:.4g} m", text.empty() ? "" : ", ",
+                        mill.materials[kind.material].name, kind.diameter);
+  }
+  return text;
+}
+
+void check_mechanisms(const Case& mill, const CaseDocument& document, CaseProblems& problems) {
+  const auto tables = document.all("wear.mechanisms");
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    const WearMechanism& mechanism = mill.wear.mechanisms[i];
+    const auto& classes = mill.charge.classes;
+    if (mechanism.law != WearLaw::corrosion &&
+        std::none_of(classes.begin(), classes.end(),
+                     [&](const ParticleClass& kind) { return concerns(mechanism, kind); })) {
+      problems.add(tables[i]->line,
+                   fmt::format("the mechanism concerns no particle of the charge (which has {}); "
+                               "mend its `material`, `smallest_diameter_m` or "
+                               "`largest_diameter_m`, or delete it",
+                               spoken_classes(mill)));
+    }
+  }
+}
+
 void check_limits(const Case& mill, const CaseDocument& document, CaseProblems& problems) {
   const double height = lifter_height(mill.liner);
   if (mill.campaign.height_limit >= height) {
@@ -169,6 +195,7 @@ void check_case(const Case& mill, const CaseDocument& document, CaseProblems& pr
     check_limits(mill, document, problems);
   }
   check_materials(mill, document, problems);
+  check_mechanisms(mill, document, problems);
   check_time_step(mill, document, problems);
 }
 

@@ -33,7 +33,7 @@ Case case_from_text(std::string_view text, const std::filesystem::path& file) {
               .liner_material = 0,
               .charge = {},
               .dem = build_dem(document),
-              .wear = build_wear(document),
+              .wear = {},
               .campaign = build_campaign(document)};
   if (const auto feed = optional_real(mill, "feed_rate_t_per_h")) {
     result.feed_rate = feed_from_t_per_h(*feed);
@@ -41,6 +41,7 @@ Case case_from_text(std::string_view text, const std::filesystem::path& file) {
   result.pairs = build_pairs(document, result.materials, problems);
   result.liner_material = material_index(result.materials, lifter, "material",
                                          text_value(lifter, "material"), problems);
+  result.wear = build_wear(document, result.materials, problems);
   result.charge = build_charge(document, result.materials, result.liner.sector, problems);
   problems.throw_if_any();
 

@@ -111,13 +111,43 @@ void write_dem(const DemSettings& dem, LockWriter& lock) {
   lock.key("pair_revolutions", dem.pair_revolutions);
 }
 
-void write_wear(const WearSettings& wear, LockWriter& lock) {
+void write_law(const WearMechanism& mechanism, LockWriter& lock) {
+  lock.text("law", name_of(mechanism.law));
+  if (mechanism.law == WearLaw::corrosion) {
+    lock.key("depth_rate_m_per_year", mechanism.depth_rate / depth_rate_from_m_per_year(1.0));
+  } else {
+    lock.key("specific_wear_rate_per_pa", mechanism.specific_wear_rate);
+  }
+}
+
+/// One law for all particles stands in [wear] itself, however the case wrote it.
+bool is_one_for_all(const std::vector<WearMechanism>& mechanisms) {
+  return mechanisms.size() == 1 && !mechanisms.front().material &&
+         !mechanisms.front().least_diameter && !mechanisms.front().most_diameter;
+}
+
+void write_wear(const Case& mill, LockWriter& lock) {
+  const WearSettings& wear = mill.wear;
   lock.table("[wear]");
-  lock.text("law", "archard");
-  lock.key("specific_wear_rate_per_pa", wear.specific_wear_rate);
+  const bool short_form = is_one_for_all(wear.mechanisms);
+  if (short_form) {
+    write_law(wear.mechanisms.front(), lock);
+  }
   lock.key("bins", wear.bins);
   lock.key("time_blocks", wear.time_blocks);
   lock.key("excess_speed_m_per_s", wear.excess_speed);
+  if (short_form) {
+    return;
+  }
+  for (const WearMechanism& mechanism : wear.mechanisms) {
+    lock.table("[[wear.mechanisms]]");
+    write_law(mechanism, lock);
+    if (mechanism.material) {
+      lock.text("material", mill.materials.at(*mechanism.material).name);
+    }
+    lock.key_if("smallest_diameter_m", mechanism.least_diameter);
+    lock.key_if("largest_diameter_m", mechanism.most_diameter);
+  }
 }
 
 void write_campaign(const CampaignSettings& campaign, LockWriter& lock) {
@@ -142,7 +172,7 @@ std::string locked_case_text(const Case& mill) {
   write_materials(mill, lock);
   write_charge(mill, lock);
   write_dem(mill.dem, lock);
-  write_wear(mill.wear, lock);
+  write_wear(mill, lock);
   write_campaign(mill.campaign, lock);
   return std::move(lock).take();
 }

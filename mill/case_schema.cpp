@@ -18,7 +18,11 @@ constexpr KeyRange at_least(double low) { return {.low = low}; }
 constexpr KeyRange between(double low, double high) { return {.low = low, .high = high}; }
 constexpr KeyRange above_up_to(double low, double high) { return {low, high, true}; }
 
-constexpr std::array<TableSpec, 11> tables{{
+constexpr std::string_view wear_laws =
+    "archard|finnie|normal_dissipation|excess_energy|shear_dissipation|incident_energy|"
+    "shear_impact_energy|corrosion";
+
+constexpr std::array<TableSpec, 12> tables{{
     {"", false, true, "The keys before the first table."},
     {"mill", false, true, "The mill and the slice of it that is simulated."},
     {"lifter", false, true,
@@ -33,7 +37,12 @@ constexpr std::array<TableSpec, 11> tables{{
      "Sieve analysis of one material. Its share of the filling becomes particle counts: bulk "
      "volume = filling x pi R^2 L with R the plate's radius, solid = bulk x (1 - porosity)."},
     {"dem", false, false, "The discrete element model."},
-    {"wear", false, true, "From wall contacts to lost steel."},
+    {"wear", false, true,
+     "From wall contacts to lost steel: one law for all particles here, or a sum of laws in "
+     "[[wear.mechanisms]]."},
+    {"wear.mechanisms", true, false,
+     "One law of the sum. Where two of the same law concern the same particles, their "
+     "coefficients add."},
     {"campaign", false, true, "When the DEM is run anew, and when the liner is worn out."},
 }};
 
@@ -152,15 +161,30 @@ constexpr KeySpec keys[] = {
      "revolutions at the end of a measurement in which collisions between particles are "
      "recorded for the impact spectra; 0 for none (with `recorder`)"},
 
-    {"wear", "law", choice, defaulted, "\"archard\"", any, "archard", "the wear law"},
-    {"wear", "specific_wear_rate_per_pa", real, required, "", above_up_to(0.0, 1e-6), "",
-     "k = K/H of Archard's law dV/dt = k Fn |v_slip| [1/Pa]"},
+    {"wear", "law", choice, defaulted, "\"archard\"", any, wear_laws,
+     "the one law for all particles"},
+    {"wear", "specific_wear_rate_per_pa", real, optional, "", above_up_to(0.0, 1e-6), "",
+     "its k: volume lost per energy of the law's measure, K/H for Archard [1/Pa = m3/J]"},
+    {"wear", "depth_rate_m_per_year", real, optional, "", above_up_to(0.0, 1.0), "",
+     "with `law = \"corrosion\"`, in place of k: depth lost everywhere [m/year of milling]"},
     {"wear", "bins", integer, defaulted, "120", between(100, 10000), "",
      "bins along one pitch of the liner"},
     {"wear", "time_blocks", integer, defaulted, "10", between(2, 1000), "",
      "replicates of the load in one measurement"},
     {"wear", "excess_speed_m_per_s", real, defaulted, "0.1", between(0.0, 100.0), "",
      "speed of impact above which the excess kinetic energy counts [m/s]"},
+
+    {"wear.mechanisms", "law", choice, required, "", any, wear_laws, "what the loss goes with"},
+    {"wear.mechanisms", "specific_wear_rate_per_pa", real, optional, "", above_up_to(0.0, 1e-6), "",
+     "k: volume lost per energy of the law's measure; for every law but corrosion "
+     "[1/Pa = m3/J]"},
+    {"wear.mechanisms", "depth_rate_m_per_year", real, optional, "", above_up_to(0.0, 1.0), "",
+     "of corrosion, and only there: depth lost everywhere [m/year of milling]"},
+    {"wear.mechanisms", "material", name, optional, "", any, "", "only particles of this material"},
+    {"wear.mechanisms", "smallest_diameter_m", real, optional, "", positive, "",
+     "only particles of this diameter and more [m]"},
+    {"wear.mechanisms", "largest_diameter_m", real, optional, "", positive, "",
+     "only particles of this diameter and less [m]"},
 
     {"campaign", "scheme", choice, defaulted, "\"threshold\"", any, "threshold",
      "how the next DEM is timed"},

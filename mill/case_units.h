@@ -13,6 +13,11 @@ namespace millwear {
 /// [t/h] to [kg/s]
 [[nodiscard]] inline double feed_from_t_per_h(double feed) { return feed * (1000.0 / 3600.0); }
 
+/// [m/year] to [m/s], of years of 365.25 days
+[[nodiscard]] inline double depth_rate_from_m_per_year(double rate) {
+  return rate * (1.0 / (365.25 * 86400.0));
+}
+
 /// [degrees] to [rad]
 [[nodiscard]] inline double angle_from_degrees(double degrees) {
   return degrees * (std::numbers::pi / 180.0);

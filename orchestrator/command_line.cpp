@@ -53,8 +53,8 @@ void add_common_options(CLI::App& verb, Command& command) {
 
 ParsedCommandLine parse_command_line(int argc, const char* const* argv) {
   CLI::App app(
-      "Predicts how the lifters of a tumbling mill wear: gmsh meshes, LIGGGHTS loads, Archard's "
-      "law, again and again until the liner is worn out.",
+      "Predicts how the lifters of a tumbling mill wear: gmsh meshes, LIGGGHTS loads, a "
+      "wear law, again and again until the liner is worn out.",
       "millwear");
   app.set_version_flag("--version", program_version());
   app.require_subcommand(1);

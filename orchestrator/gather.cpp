@@ -172,7 +172,7 @@ std::vector<LabelledValue> description_of(const Case& mill) {
           {"New lifter",
            fmt::format("{:.0f} mm high, leading face {:.0f}° off upright",
                        1e3 * lifter_height(mill.liner), leading_face_angle(mill.liner) / degree)},
-          {"Wear law", fmt::format("Archard, k = {:g} 1/Pa", mill.wear.specific_wear_rate)},
+          {"Wear law", spoken(mill.wear.mechanisms, mill.materials)},
           {"DEM", fmt::format("time step {:.3g} s, {} steps a revolution, moduli divided by {:g}",
                               plan.time_step, plan.steps_per_revolution(sector.rows),
                               mill.dem.modulus_reduction)}};

@@ -16,7 +16,8 @@ struct LoadRate {
 /// radius of the smallest particle.
 [[nodiscard]] double smoothing_resolution(const Case& mill);
 
-/// Lays the case's bins on a recorded load, applies the wear law and smooths the loss.
+/// Lays the case's bins on a recorded load, applies the wear law and smooths the loss that goes
+/// with contacts. Corrosion is the same everywhere and is added after the smoothing.
 [[nodiscard]] LoadRate rate_of_load(const Case& mill, const WallLoad& recorded);
 
 }  // namespace millwear::orchestrator

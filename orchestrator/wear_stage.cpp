@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "orchestrator/load_rate.h"
 #include "orchestrator/stages.h"
 #include "wear/evolution.h"
@@ -28,11 +30,16 @@ double smoothing_resolution(const Case& mill) { return 0.5 * smallest_diameter(m
 
 LoadRate rate_of_load(const Case& mill, const WallLoad& recorded) {
   const auto load = wear::coarsened(recorded, static_cast<int>(recorded.bins()) / mill.wear.bins);
-  const wear::Archard law{mill.wear.specific_wear_rate};
-  const Eigen::VectorXd raw = wear::depth_rate(law, load);
-  return {load, raw,
-          wear::smoothed(load.bin_edges, raw, wear::depth_rate_by_block(law, load),
-                         smoothing_resolution(mill))};
+  auto by_contact = wear::weights_of(mill);
+  const double corrosion = std::exchange(by_contact.corrosion, 0.0);
+  const Eigen::VectorXd raw = wear::depth_rate(by_contact, load);
+  auto smoothed = wear::smoothed(load.bin_edges, raw, wear::depth_rate_by_block(by_contact, load),
+                                 smoothing_resolution(mill));
+  if (corrosion > 0.0) {
+    smoothed.rate.values.array() += corrosion;
+    smoothed.moved_share *= raw.sum() / smoothed.rate.values.sum();
+  }
+  return {load, raw.array() + corrosion, std::move(smoothed)};
 }
 
 Outcome wear_stage(const Campaign& campaign, int cycle, const std::filesystem::path& into) {

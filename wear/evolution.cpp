@@ -99,8 +99,8 @@ void check(const ArcCurve& rate, double new_lifter_area, const CampaignSettings&
   }
   if (!rate.values.allFinite() || rate.values.minCoeff() < 0.0 || !(rate.values.maxCoeff() > 0.0)) {
     throw ResultRejected(
-        "the load wears the liner nowhere: no contact slid on it while it was measured; measure "
-        "for longer or look at the charge");
+        "the load wears the liner nowhere: no contact did what its law counts while it was "
+        "measured; measure for longer, or look at the charge and the law");
   }
 }
 

@@ -40,7 +40,7 @@ Case one_sphere(const LinerProfile& liner, double speed, double restitution) {
                   .keep_dumps = false,
                   .keep_events = false,
                   .pair_revolutions = 0.0},
-          .wear = {1e-12, 40, 4, 0.1},
+          .wear = {{{WearLaw::archard, 1e-12}}, 40, 4, 0.1},
           .campaign = {0.15, 5, 0.01, 0.002, 50}};
 }
 

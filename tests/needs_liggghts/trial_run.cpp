@@ -117,7 +117,7 @@ WallLoad load_of(const Case& mill, const liggghts::StretchSteps& steps, const Li
 }
 
 double worn_volume(const Case& mill, const WallLoad& load) {
-  const auto depth = wear::depth_rate(wear::Archard{mill.wear.specific_wear_rate}, load);
+  const auto depth = wear::depth_rate(wear::weights_of(mill), load);
   return depth.dot(load.bin_area()) * load.rows * load.duration;
 }
 

@@ -8,6 +8,7 @@
 #include "example_case.h"
 #include "mill/case_file.h"
 #include "mill/case_text.h"
+#include "mill/case_units.h"
 #include "mill/time_step.h"
 
 namespace millwear {
@@ -66,12 +67,45 @@ TEST(LockedCase, KeepsEverySetting) {
   EXPECT_EQ(back.dem.seed, 4711U);
 }
 
-// Speeds and feeds are locked in the units of the file, and come back to the last bit.
+TEST(LockedCase, KeepsEveryMechanism) {
+  Case mill = example_case();
+  mill.wear.mechanisms = {
+      {WearLaw::archard, 1e-12, 0.0, std::size_t{0}, {}, 0.05},
+      {WearLaw::finnie, 1.0 / 3.0e12, 0.0, {}, 0.02, 0.03},
+      {WearLaw::corrosion, 0.0, depth_rate_from_m_per_year(1e-4)},
+  };
+  const auto back = read_back(mill).wear.mechanisms;
+  ASSERT_EQ(back.size(), 3U);
+  for (std::size_t i = 0; i < back.size(); ++i) {
+    EXPECT_EQ(back[i].law, mill.wear.mechanisms[i].law);
+    EXPECT_EQ(back[i].specific_wear_rate, mill.wear.mechanisms[i].specific_wear_rate);
+    EXPECT_EQ(back[i].depth_rate, mill.wear.mechanisms[i].depth_rate);
+    EXPECT_EQ(back[i].material, mill.wear.mechanisms[i].material);
+    EXPECT_EQ(back[i].least_diameter, mill.wear.mechanisms[i].least_diameter);
+    EXPECT_EQ(back[i].most_diameter, mill.wear.mechanisms[i].most_diameter);
+  }
+}
+
+// One law for all is the same case, whichever of the two forms it was written in.
+TEST(LockedCase, DoesNotTellTheTwoFormsOfOneLawApart) {
+  Case mill = example_case();
+  const std::string short_form = locked_case_text(mill);
+  EXPECT_NE(short_form.find("law = \"archard\"\nspecific_wear_rate_per_pa = 1e-12\n"),
+            std::string::npos);
+  EXPECT_EQ(short_form.find("wear.mechanisms"), std::string::npos);
+  mill.wear.mechanisms.front().material = 0;
+  EXPECT_NE(locked_case_text(mill).find("[[wear.mechanisms]]"), std::string::npos);
+}
+
+// Speeds, feeds and depth rates are locked in the units of the file, and come back to the last bit.
 RC_GTEST_PROP(LockedCase, UnitsRoundTripToTheBit, ()) {
   Case mill = example_case();
   mill.speed = *rc::gen::inRange(1, 100000) * 1e-4 * (std::numbers::pi / 30.0);
   mill.feed_rate = *rc::gen::inRange(1, 100000) * 1e-2 * (1000.0 / 3600.0);
+  mill.wear.mechanisms.push_back(
+      {WearLaw::corrosion, 0.0, depth_rate_from_m_per_year(*rc::gen::inRange(1, 100000) * 1e-7)});
   const Case back = read_back(mill);
+  RC_ASSERT(back.wear.mechanisms.back().depth_rate == mill.wear.mechanisms.back().depth_rate);
   RC_ASSERT(back.speed == mill.speed);
   RC_ASSERT(back.feed_rate == mill.feed_rate);
 }

@@ -33,7 +33,7 @@ inline Case example_case() {
                   .keep_dumps = false,
                   .keep_events = false,
                   .pair_revolutions = 0.0},
-          .wear = {1e-12, 120, 10, 0.1},
+          .wear = {{{WearLaw::archard, 1e-12}}, 120, 10, 0.1},
           .campaign = {0.15, 5, 0.01, 0.002, 50}};
 }
 

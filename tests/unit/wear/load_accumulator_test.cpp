@@ -25,6 +25,10 @@ const LoadMeasurement measurement{.bins = 50,
                                   .contact_limit = 1e-3,
                                   .excess_speed = 0.1};
 
+/// k = 1e-12 1/Pa for both classes.
+const LawWeights archard =
+    weights_of({WearLaw::archard, 1e-12}, {{{0, 0.03, 10}, {0, 0.02, 10}}, {}, 0.4, 0.0});
+
 WallContact contact_at(const Eigen::Vector2d& master, int row, double mill_angle) {
   const auto place = to_mill(sample_sector, master, row, mill_angle);
   return {.point = {place.x(), 0.1, place.y()},
@@ -158,7 +162,7 @@ TEST(LoadAccumulator, ADraggedContactWearsForceTimesDistance) {
     accumulator.add({time, 0.0, {contact_at({-0.04 + 4e-4 * i, 0.1}, 0, 0.0)}});
   }
   const WallLoad load = coarsened(accumulator.finish().load, cells_per_bin);
-  const double volume_rate = depth_rate(Archard{1e-12}, load).dot(load.bin_area());
+  const double volume_rate = depth_rate(archard, load).dot(load.bin_area());
   EXPECT_NEAR(volume_rate * 2.0 * sample_sector.rows, 1e-12 * 100.0 * 1.0, 1e-22);
 }
 
@@ -167,7 +171,7 @@ TEST(LoadAccumulator, ARollingContactWearsNothing) {
   auto contact = contact_at({0.0, 0.1}, 0, 0.0);
   contact.slip_speed = 0.0;
   accumulator.add({0.0, 0.0, {contact}});
-  EXPECT_EQ(depth_rate(Archard{1e-12}, accumulator.finish().load).sum(), 0.0);
+  EXPECT_EQ(depth_rate(archard, accumulator.finish().load).sum(), 0.0);
 }
 
 TEST(LoadAccumulator, LaysBinsAfterwards) {

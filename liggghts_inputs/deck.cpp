@@ -38,10 +38,6 @@ std::string by_pair(const Case& mill, Property property) {
   return fmt::format("{}", fmt::join(values, " "));
 }
 
-std::string liner_id(StretchKind kind, int cycle) {
-  return fmt::format("liner_{:03}{}", cycle, kind == StretchKind::mix ? "_mix" : "");
-}
-
 }  // namespace
 
 double neighbour_skin(const Case& mill) {
@@ -75,7 +71,7 @@ std::string contact_model_deck(const Case& mill, const StretchSteps& steps,
         by_pair(mill, [](const MaterialPair& p) { return p.rolling_friction; })},
        {"rolling_friction_model", cdt ? "cdt" : "epsd2"},
        {"time_step_s", number(steps.time_step)},
-       {"liner_id", liner_id(kind, cycle)},
+       {"liner_id", fmt::format("liner_{:03}{}", cycle, kind == StretchKind::mix ? "_mix" : "")},
        {"stl_file", mesh.stl_file},
        {"liner_type", fmt::format("{}", mill.liner_material + 1)},
        {"period_s", number(2.0 * std::numbers::pi / mill.speed)}});
@@ -94,26 +90,55 @@ std::string mixing_deck(const Case& mill, const StretchSteps& steps) {
        {"sentinel", std::string(sentinel)}});
 }
 
+namespace {
+
+/// A contact may overlap the wall, and the mesh may stand out of the profile by its tolerance.
+std::string near_wall_radius(const Case& mill, const LinerProfile& worn) {
+  const double margin = 0.02 * largest_diameter(mill) + mesh_tolerance(mill);
+  return number(crest_radius(worn) - 0.5 * largest_diameter(mill) - margin);
+}
+
+std::string dump_computes(const Case& mill, const LinerProfile& worn) {
+  if (mill.dem.contact_path == ContactPath::recorder) return "";
+  return filled_template(dump_computes_template,
+                         {{"near_wall_radius_m", near_wall_radius(mill, worn)}});
+}
+
+std::string dumps(const Case& mill, const StretchSteps& steps) {
+  if (mill.dem.contact_path == ContactPath::recorder)
+    return "# millwear-recorder sees the wall contacts of the steps to come from inside.\n";
+  return filled_template(dumps_template, {{"sample_steps", fmt::format("{}", steps.sample_steps)},
+                                          {"contacts_file", file_names::contacts},
+                                          {"spins_file", file_names::spins}});
+}
+
+std::string measure_runs(const StretchSteps& steps) {
+  if (steps.pair_steps == 0) return fmt::format("run           {}", steps.measure_steps);
+  if (steps.pair_steps == steps.measure_steps)
+    return fmt::format("run           {}", steps.pair_steps);
+  return fmt::format(
+      "run           {}\n# ... and from here on the collisions between particles too.\n"
+      "run           {}",
+      steps.measure_steps - steps.pair_steps, steps.pair_steps);
+}
+
+}  // namespace
+
 std::string measuring_deck(const Case& mill, const StretchSteps& steps, const LinerProfile& worn,
                            const std::string& previous_restart) {
-  // A contact may overlap the wall, and the mesh may stand out of the profile by its tolerance.
-  const double margin =
-      0.02 * largest_diameter(mill) + 0.5 * mill.dem.mesh_tolerance * smallest_diameter(mill);
   return filled_template(
       measure_template,
       {{"case_name", mill.name},
        {"previous_restart_file", previous_restart},
        {"skin_m", number(neighbour_skin(mill))},
        {"contact_model_file", file_names::contact_model},
-       {"near_wall_radius_m", number(crest_radius(worn) - 0.5 * largest_diameter(mill) - margin)},
+       {"dump_computes", dump_computes(mill, worn)},
        {"thermo_steps", fmt::format("{}", std::max(1L, steps.total() / thermo_lines))},
        {"settle_steps", fmt::format("{}", steps.settle_steps)},
-       {"sample_steps", fmt::format("{}", steps.sample_steps)},
-       {"contacts_file", file_names::contacts},
-       {"spins_file", file_names::spins},
+       {"dumps", dumps(mill, steps)},
        {"torque_steps", fmt::format("{}", std::max(1L, steps.measure_steps / torque_values))},
        {"torque_file", file_names::torque},
-       {"measure_steps", fmt::format("{}", steps.measure_steps)},
+       {"measure_runs", measure_runs(steps)},
        {"restart_file", file_names::restart},
        {"sentinel", std::string(sentinel)}});
 }

@@ -30,8 +30,13 @@ StretchSteps mixing_steps(const Case& mill, const StepPlan& plan) {
 
 StretchSteps measuring_steps(const Case& mill, const StepPlan& plan) {
   const long pitches = whole_pitches(mill.dem.measure_revolutions, mill.liner.sector.rows);
-  return {plan.time_step, mill.dem.settle_pitches * plan.steps_per_pitch,
-          pitches * plan.steps_per_pitch, mill.dem.sample_every_steps};
+  const long measured = pitches * plan.steps_per_pitch;
+  const auto pair_steps =
+      static_cast<long>(mill.dem.pair_revolutions *
+                        static_cast<double>(plan.steps_per_revolution(mill.liner.sector.rows)));
+  return {plan.time_step, mill.dem.settle_pitches * plan.steps_per_pitch, measured,
+          mill.dem.sample_every_steps,
+          mill.dem.contact_path == ContactPath::recorder ? std::min(pair_steps, measured) : 0};
 }
 
 void check_stretch_log(std::string_view log, const std::string& log_name,

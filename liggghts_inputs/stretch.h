@@ -13,10 +13,11 @@ inline constexpr std::string_view sentinel = "millwear: stretch complete";
 /// How a stretch's steps are laid out: both parts take whole pitches, so that a stretch begins and
 /// ends with lifter 0 at a place where another lifter stood.
 struct StretchSteps {
-  double time_step;    ///< [s]
-  long settle_steps;   ///< before anything is measured (the whole of a mixing stretch)
-  long measure_steps;  ///< 0 for a mixing stretch
-  long sample_steps;   ///< between two samples of the wall contacts
+  double time_step;     ///< [s]
+  long settle_steps;    ///< before anything is measured (the whole of a mixing stretch)
+  long measure_steps;   ///< 0 for a mixing stretch
+  long sample_steps;    ///< between two samples of the wall contacts
+  long pair_steps = 0;  ///< at the end of the measurement, to record collisions between particles
   [[nodiscard]] long total() const { return settle_steps + measure_steps; }
   [[nodiscard]] double settle_time() const;      ///< [s]
   [[nodiscard]] double measure_time() const;     ///< [s]

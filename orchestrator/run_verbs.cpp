@@ -173,7 +173,7 @@ void run_verb(const Command& command) {
   Case mill = read_case(command.case_file);
   const RunFolder folder = folder_of(command, mill);
   if (command.dry_run) return explain_campaign(command, ledger_for(command, mill, folder), mill);
-  check_liggghts_is_installed();
+  check_liggghts_is_installed(mill.dem.contact_path);
 
   make_folder(folder.root);
   const RunLock lock(folder.lock());

@@ -90,24 +90,54 @@ class PrintedOutput {
   std::string unfinished_;
 };
 
-std::vector<std::string> liggghts_command(int ranks) {
+std::vector<std::string> mpirun_command(int ranks) {
   const auto mpirun = program_on_path("mpirun", "openmpi-bin").string();
-  const auto liggghts = program_on_path("liggghts", "liggghts").string();
   std::vector<std::string> command = {mpirun, "-np", std::to_string(ranks), "--bind-to", "none"};
   // Ranks that share a core have to yield it while they wait; with a core each that costs a fifth.
   if (ranks > static_cast<int>(std::thread::hardware_concurrency()))
     command.push_back("--oversubscribe");
   if (::geteuid() == 0) command.push_back("--allow-run-as-root");
-  command.insert(command.end(), {liggghts, "-in", liggghts::file_names::deck, "-log", "none"});
+  return command;
+}
+
+std::vector<std::string> command_of(const StretchRun& run) {
+  auto command = mpirun_command(run.ranks);
+  if (!run.recorder) {
+    command.insert(command.end(), {program_on_path("liggghts", "liggghts").string(), "-in",
+                                   liggghts::file_names::deck, "-log", "none"});
+    return command;
+  }
+  command.insert(command.end(),
+                 {run.recorder->program.string(), "--in", liggghts::file_names::deck});
+  const auto& more = run.recorder->arguments;
+  command.insert(command.end(), more.begin(), more.end());
   return command;
 }
 
 }  // namespace
 
-void check_liggghts_is_installed() { static_cast<void>(liggghts_command(1)); }
+std::filesystem::path recorder_program() {
+  const char* const name = "millwear-recorder";
+  const auto beside = std::filesystem::read_symlink("/proc/self/exe").parent_path() / name;
+  if (std::filesystem::exists(beside)) return beside;
+  try {
+    return program_on_path(name, "");
+  } catch (const ExternalProgramError&) {
+    throw ExternalProgramError(
+        fmt::format("{} is neither beside this program nor on PATH; build it (make build), or set "
+                    "wall_contacts = \"dumps\" in [dem] to do with the plain liggghts",
+                    name));
+  }
+}
+
+void check_liggghts_is_installed(ContactPath path) {
+  static_cast<void>(mpirun_command(1));
+  static_cast<void>(program_on_path("liggghts", "liggghts"));
+  if (path == ContactPath::recorder) static_cast<void>(recorder_program());
+}
 
 int run_liggghts(const StretchRun& run, const std::vector<DumpPipe>& pipes) {
-  const auto command = liggghts_command(run.ranks);
+  const auto command = command_of(run);
   std::vector<NamedPipe> ends;
   for (const auto& pipe : pipes) ends.emplace_back(run.folder / pipe.name);
   PrintedOutput printed(run.folder / liggghts::file_names::log, run.take_line);

@@ -1,10 +1,20 @@
 #pragma once
 #include <filesystem>
 #include <functional>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
+#include "mill/case.h"
+
 namespace millwear::orchestrator {
+
+/// millwear-recorder in the place of liggghts: what it is told besides the deck.
+struct RecorderProgram {
+  std::filesystem::path program;
+  std::vector<std::string> arguments;
+};
 
 /// LIGGGHTS on one deck, in the folder where the deck lies.
 struct StretchRun {
@@ -12,6 +22,7 @@ struct StretchRun {
   int ranks;
   /// Called with every line LIGGGHTS prints, for progress.
   std::function<void(std::string_view)> take_line;
+  std::optional<RecorderProgram> recorder{};
 };
 
 /// A named pipe in the run's folder that LIGGGHTS writes a dump into, and who reads it.
@@ -20,8 +31,12 @@ struct DumpPipe {
   std::function<void(std::string_view)> take;
 };
 
-/// Throws ExternalProgramError, naming the Debian package, if mpirun or liggghts is missing.
-void check_liggghts_is_installed();
+/// The recorder beside this program, or on PATH. Throws ExternalProgramError where it is missing.
+[[nodiscard]] std::filesystem::path recorder_program();
+
+/// Throws ExternalProgramError if mpirun, liggghts (naming the Debian package) or, where the case
+/// wants it, the recorder is missing.
+void check_liggghts_is_installed(ContactPath path);
 
 /// Runs the deck to its end, feeding the dumps to their readers as they come; what LIGGGHTS prints
 /// is kept in its log file in the folder. The pipes are made before and removed after.

@@ -27,6 +27,7 @@ constexpr std::uintmax_t spare_disk_bytes = 64 << 20;
 constexpr std::uintmax_t dump_bytes_per_particle = 200;
 
 const char* const mesh_from_stage = "../mesh/liner.stl";
+const char* const profile_from_stage = "../mesh/profile.csv";
 
 std::string previous_restart(int cycle) {
   return cycle == 0 ? fmt::format("../mix/{}", names::restart)
@@ -117,6 +118,61 @@ Measured measured_from(const Case& mill, const liggghts::StretchSteps& steps,
   return measured;
 }
 
+/// Runs the deck with the recorder, which leaves the load.
+void record(const Campaign& campaign, int cycle, const liggghts::StretchSteps& steps,
+            const fs::path& into, Progress& progress) {
+  const auto& dem = campaign.mill.dem;
+  std::vector<std::string> arguments = {"--case",  fs::absolute(campaign.folder.locked_case()),
+                                        "--liner", profile_from_stage,
+                                        "--load",  stage_files::load,
+                                        "--after", std::to_string(steps.settle_steps),
+                                        "--until", std::to_string(steps.total()),
+                                        "--every", std::to_string(steps.sample_steps)};
+  if (dem.keep_events) arguments.insert(arguments.end(), {"--events", stage_files::events});
+  if (steps.pair_steps > 0)
+    arguments.insert(arguments.end(),
+                     {"--pairs-after", std::to_string(steps.total() - steps.pair_steps)});
+  run_liggghts({into, campaign.ranks, step_follower(steps, progress),
+                RecorderProgram{recorder_program(), arguments}},
+               {});
+  check_stretch(campaign, cycle, steps, into);
+  if (!fs::exists(into / stage_files::load))
+    throw ResultRejected(fmt::format("{}: the recorder left no {}; see this log for why",
+                                     (into / names::log).string(), stage_files::load));
+}
+
+/// Runs the deck with the plain liggghts and sums what it dumps.
+void read_dumps(const Campaign& campaign, int cycle, const liggghts::StretchSteps& steps,
+                const fs::path& into, Progress& progress) {
+  const auto& mill = campaign.mill;
+  wear::LoadAccumulator load(
+      liner_of_cycle(campaign, cycle),
+      wear::load_measurement(mill, steps.measure_time(), steps.sample_interval(),
+                             mesh_of(campaign, cycle).triangles));
+  liggghts::ContactJoin join(
+      mill, steps, [&](const WallContacts& sample) { load.add(sample); },
+      [&](const WallContacts& sample) { load.begin_with(sample); });
+  liggghts::SnapshotReader contacts(
+      (into / names::contacts).string(), liggghts::contact_columns,
+      [&](const liggghts::Snapshot& snapshot) { join.take_contacts(snapshot); });
+  liggghts::SnapshotReader spins(
+      (into / names::spins).string(), liggghts::spin_columns,
+      [&](const liggghts::Snapshot& snapshot) { join.take_spins(snapshot); });
+  const std::vector<DumpPipe> dumps = {
+      {names::contacts, [&](std::string_view piece) { contacts.feed(piece); }},
+      {names::spins, [&](std::string_view piece) { spins.feed(piece); }}};
+
+  run_liggghts({into, campaign.ranks, step_follower(steps, progress)},
+               mill.dem.keep_dumps ? std::vector<DumpPipe>{} : dumps);
+  check_stretch(campaign, cycle, steps, into);
+  if (mill.dem.keep_dumps)
+    for (const auto& dump : dumps) read_dump_file(into / dump.name, dump.take);
+  contacts.finish();
+  spins.finish();
+  join.finish();
+  wear::write_record(into / stage_files::load, load.finish());
+}
+
 }  // namespace
 
 void write_mixing_deck(const Campaign& campaign, const fs::path& into) {
@@ -153,36 +209,12 @@ void dem_stage(const Campaign& campaign, int cycle, const fs::path& into, Progre
   const auto steps = liggghts::measuring_steps(mill, plan_steps(mill));
   check_free_disk(mill, steps, into);
   write_measuring_deck(campaign, cycle, into);
-
-  wear::LoadAccumulator load(
-      liner_of_cycle(campaign, cycle),
-      wear::load_measurement(mill, steps.measure_time(), steps.sample_interval(),
-                             mesh_of(campaign, cycle).triangles));
-  liggghts::ContactJoin join(
-      mill, steps, [&](const WallContacts& sample) { load.add(sample); },
-      [&](const WallContacts& sample) { load.begin_with(sample); });
-  liggghts::SnapshotReader contacts(
-      (into / names::contacts).string(), liggghts::contact_columns,
-      [&](const liggghts::Snapshot& snapshot) { join.take_contacts(snapshot); });
-  liggghts::SnapshotReader spins(
-      (into / names::spins).string(), liggghts::spin_columns,
-      [&](const liggghts::Snapshot& snapshot) { join.take_spins(snapshot); });
-  const std::vector<DumpPipe> dumps = {
-      {names::contacts, [&](std::string_view piece) { contacts.feed(piece); }},
-      {names::spins, [&](std::string_view piece) { spins.feed(piece); }}};
-
-  run_liggghts({into, campaign.ranks, step_follower(steps, progress)},
-               mill.dem.keep_dumps ? std::vector<DumpPipe>{} : dumps);
-  check_stretch(campaign, cycle, steps, into);
-  if (mill.dem.keep_dumps)
-    for (const auto& dump : dumps) read_dump_file(into / dump.name, dump.take);
-  contacts.finish();
-  spins.finish();
-  join.finish();
-  const auto record = load.finish();
+  if (mill.dem.contact_path == ContactPath::recorder)
+    record(campaign, cycle, steps, into, progress);
+  else
+    read_dumps(campaign, cycle, steps, into, progress);
+  const auto record = wear::read_record(into / stage_files::load);
   wear::check_rejected_share(record.load, largest_rejected_share);
-
-  wear::write_record(into / stage_files::load, record);
   write_measured(into / stage_files::measured,
                  measured_from(mill, steps, record, into / names::torque));
 }

@@ -45,7 +45,7 @@ fs::path ScratchFolder::stage(const std::string& name) const {
 
 bool liggghts_is_installed() {
   try {
-    orchestrator::check_liggghts_is_installed();
+    orchestrator::check_liggghts_is_installed(ContactPath::dumps);
     return true;
   } catch (const ExternalProgramError&) {
     return false;

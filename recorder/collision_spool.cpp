@@ -1,0 +1,122 @@
+#include "recorder/collision_spool.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+#include "mill/failure.h"
+#include "mill/published_file.h"
+#include "wear/collision_store.h"
+
+namespace millwear::recorder {
+namespace {
+
+namespace fs = std::filesystem;
+using wear::Collision;
+
+constexpr std::size_t block = 8192;
+
+fs::path spool_path(const fs::path& events, int rank) {
+  return fs::path(events.string() + fmt::format(".rank{}", rank));
+}
+
+[[noreturn]] void refuse(const fs::path& path) {
+  throw DiskError(fmt::format("{}: {}", path.string(), std::strerror(errno)));
+}
+
+/// Reads a spool from its start, a block at a time.
+class SpoolReader {
+ public:
+  explicit SpoolReader(const fs::path& path)
+      : path_(path), file_(std::fopen(path.c_str(), "rb"), &std::fclose) {
+    if (!file_) refuse(path_);
+    refill();
+  }
+
+  [[nodiscard]] bool at_end() const { return next_ == block_.size(); }
+  [[nodiscard]] const Collision& front() const { return block_[next_]; }
+  void pop() {
+    if (++next_ == block_.size()) refill();
+  }
+
+ private:
+  void refill() {
+    block_.resize(block);
+    block_.resize(std::fread(block_.data(), sizeof(Collision), block, file_.get()));
+    if (std::ferror(file_.get()) != 0) refuse(path_);
+    next_ = 0;
+  }
+
+  fs::path path_;
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+  std::vector<Collision> block_;
+  std::size_t next_ = 0;
+};
+
+/// Takes the collisions that ended first off the spools, in an order that does not depend on which
+/// rank saw them.
+std::vector<Collision> next_to_end(std::vector<SpoolReader>& spools) {
+  double end = std::numeric_limits<double>::infinity();
+  for (const auto& spool : spools)
+    if (!spool.at_end()) end = std::min(end, spool.front().end);
+  std::vector<Collision> together;
+  for (auto& spool : spools)
+    for (; !spool.at_end() && spool.front().end == end; spool.pop())
+      together.push_back(spool.front());
+  std::ranges::sort(together, {}, [](const Collision& c) {
+    return std::tuple(c.particle, c.start, c.arc_length);
+  });
+  return together;
+}
+
+void merge(std::vector<SpoolReader>& spools, wear::CollisionWriter& writer) {
+  for (auto ended = next_to_end(spools); !ended.empty(); ended = next_to_end(spools))
+    writer.append(ended);
+}
+
+}  // namespace
+
+CollisionSpool::CollisionSpool(const fs::path& events, int rank)
+    : path_(spool_path(events, rank)), file_(std::fopen(path_.c_str(), "wb")) {
+  if (file_ == nullptr) refuse(path_);
+  buffer_.reserve(block);
+}
+
+CollisionSpool::~CollisionSpool() {
+  if (file_ != nullptr) std::fclose(file_);
+}
+
+void CollisionSpool::add(const Collision& collision) {
+  buffer_.push_back(collision);
+  if (buffer_.size() == block) flush();
+}
+
+void CollisionSpool::flush() {
+  if (std::fwrite(buffer_.data(), sizeof(Collision), buffer_.size(), file_) != buffer_.size())
+    refuse(path_);
+  buffer_.clear();
+}
+
+void CollisionSpool::close() {
+  flush();
+  std::FILE* const file = std::exchange(file_, nullptr);
+  if (std::fclose(file) != 0) refuse(path_);
+}
+
+void publish_collisions(const fs::path& events, int ranks) {
+  publish_written(events, [&](const fs::path& beside) {
+    std::vector<SpoolReader> spools;
+    for (int rank = 0; rank < ranks; ++rank) spools.emplace_back(spool_path(events, rank));
+    wear::CollisionWriter writer(beside);
+    merge(spools, writer);
+    writer.close();
+  });
+  for (int rank = 0; rank < ranks; ++rank) fs::remove(spool_path(events, rank));
+}
+
+}  // namespace millwear::recorder

@@ -1,0 +1,28 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace millwear::recorder {
+
+/// What the recorder is to do, from its command line.
+struct RecordingPlan {
+  std::filesystem::path deck;                   ///< LIGGGHTS's input script
+  std::filesystem::path mill;                   ///< the case file
+  std::filesystem::path liner;                  ///< the profile that the deck's mesh follows
+  std::filesystem::path load;                   ///< to be written
+  std::optional<std::filesystem::path> events;  ///< to be written, a row a collision
+  long first_step;                              ///< the measurement takes the steps after it
+  long last_step;                               ///< ... up to this one
+  long every_steps;                             ///< between two samples
+  std::optional<long> pairs_after;              ///< collisions between particles from here on
+};
+
+/// Throws UsageError for an option that is unknown, missing or no number.
+[[nodiscard]] RecordingPlan recording_plan(const std::vector<std::string>& arguments);
+
+/// The text of --help.
+[[nodiscard]] std::string recording_help();
+
+}  // namespace millwear::recorder

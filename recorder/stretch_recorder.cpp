@@ -1,0 +1,205 @@
+#include "recorder/stretch_recorder.h"
+
+#include <fmt/format.h>
+#include <liggghts/atom.h>
+#include <liggghts/comm.h>
+#include <liggghts/lammps.h>
+#include <liggghts/neighbor.h>
+#include <liggghts/tri_mesh.h>
+#include <liggghts/update.h>
+
+#include "mill/contact_motion.h"
+#include "mill/failure.h"
+#include "mill/profile_csv.h"
+#include "mill/published_file.h"
+#include "recorder/mesh_hook.h"
+#include "recorder/pair_contacts.h"
+#include "recorder/rank_exchange.h"
+#include "wear/load_store.h"
+
+namespace millwear::recorder {
+namespace {
+
+using Eigen::Vector3d;
+using LAMMPS_NS::LAMMPS;
+
+Vector3d at(double** values, int i) { return {values[i][0], values[i][1], values[i][2]}; }
+
+std::size_t triangles_of(LAMMPS_NS::FixMeshSurface& mesh) {
+  return static_cast<std::size_t>(mesh.triMesh()->sizeGlobal());
+}
+
+wear::LoadMeasurement measurement_of(const Case& mill, const RecordingPlan& plan, double time_step,
+                                     std::size_t triangles) {
+  return wear::load_measurement(mill,
+                                time_step * static_cast<double>(plan.last_step - plan.first_step),
+                                time_step * static_cast<double>(plan.every_steps), triangles);
+}
+
+void check_particles(const LAMMPS& liggghts, const Case& mill) {
+  const auto& atom = *liggghts.atom;
+  const auto wanted = static_cast<std::int64_t>(totals(mill).particles);
+  if (atom.natoms != wanted)
+    throw InputError(
+        fmt::format("the deck has {} particles and the case {}; give the case that "
+                    "the deck was written for",
+                    atom.natoms, wanted));
+  if (atom.map_style == 0)
+    throw InputError(
+        "the recorder follows particles by number: the deck needs "
+        "`atom_modify map array`");
+}
+
+}  // namespace
+
+StretchRecorder::StretchRecorder(LAMMPS& liggghts, const Case& mill, const RecordingPlan& plan)
+    : liggghts_(liggghts),
+      mill_(mill),
+      plan_(plan),
+      mesh_(the_mesh(liggghts)),
+      load_(read_profile_csv(plan.liner, mill.liner.sector),
+            measurement_of(mill, plan, liggghts.update->dt, triangles_of(mesh_)),
+            [this](const wear::Collision& collision) {
+              if (spool_) spool_->add(collision);
+            }),
+      module_(
+          liggghts, mesh_,
+          [this](long step) {
+            return step >= plan_.first_step && step <= plan_.last_step &&
+                   (step % plan_.every_steps == 0 || step == plan_.first_step ||
+                    (pairs_ && step > *plan_.pairs_after));
+          },
+          [this](long step, const std::vector<WallTouch>& touches) { take_step(step, touches); }),
+      class_of_number_(totals(mill).particles + 1, 0) {
+  check_particles(liggghts, mill);
+  if (plan.events) spool_.emplace(*plan.events, liggghts.comm->me);
+  hang_on(liggghts, mesh_, module_);
+}
+
+void StretchRecorder::before_run() {
+  if (!plan_.pairs_after || pairs_ || liggghts_.update->ntimestep != *plan_.pairs_after) return;
+  keep_pair_forces(liggghts_);
+  const double dt = liggghts_.update->dt;
+  pairs_.emplace(mill_.charge.classes.size(),
+                 dt * static_cast<double>(plan_.last_step - *plan_.pairs_after), dt);
+}
+
+std::size_t StretchRecorder::class_of_particle(int particle) const {
+  const auto& atom = *liggghts_.atom;
+  const auto number = static_cast<std::size_t>(atom.tag[particle]);
+  if (number >= class_of_number_.size())
+    throw ResultRejected(fmt::format("a particle {} that the charge does not have", number));
+  std::uint32_t& known = class_of_number_[number];
+  if (known == 0) {
+    const auto material = static_cast<std::size_t>(atom.type[particle]) - 1;
+    const auto found = class_of(mill_.charge.classes, material, 2.0 * atom.radius[particle]);
+    if (!found)
+      throw ResultRejected(
+          fmt::format("a particle of radius {} m and atom type {} is of no class of the charge",
+                      atom.radius[particle], atom.type[particle]));
+    known = static_cast<std::uint32_t>(*found) + 1;
+  }
+  return known - 1;
+}
+
+WallContact StretchRecorder::contact_from(const WallTouch& touch) const {
+  const auto& atom = *liggghts_.atom;
+  const int i = touch.particle;
+  // LIGGGHTS lets the surfaces meet in the middle of the overlap.
+  const double lever = 0.5 * (1.0 + atom.radius[i] / touch.arm.norm());
+  const ContactMotion motion =
+      contact_motion(lever * touch.arm, at(atom.v, i) - touch.wall, at(atom.omega, i));
+  const double pushed = -touch.force.dot(motion.into_wall);
+  const Vector3d tangential = touch.force + pushed * motion.into_wall;
+  return {.point = at(atom.x, i) + touch.arm,
+          .into_wall = motion.into_wall,
+          .normal_force = pushed,
+          .slip_speed = motion.slip.norm(),
+          .normal_speed = motion.normal_speed,
+          .impact_speed = touch.approach.norm(),
+          .impact_normal_speed = touch.approach.dot(motion.into_wall),
+          .shear_power = -tangential.dot(motion.slip),
+          .finnie_power =
+              finnie_power(touch.approach, touch.arm, touch.wall_normal, touch.force.norm()),
+          .particle_class = class_of_particle(i),
+          .particle = static_cast<std::size_t>(atom.tag[i]),
+          .triangle = static_cast<std::size_t>(touch.triangle)};
+}
+
+void StretchRecorder::check_that_it_turns(const WallTouch& touch) const {
+  constexpr double tolerance = 1e-3;
+  const Vector3d point = at(liggghts_.atom->x, touch.particle) + touch.arm;
+  const Vector3d expected(mill_.speed * point.z(), 0.0, -mill_.speed * point.x());
+  if ((touch.wall - expected).norm() > tolerance * expected.norm() + 1e-9)
+    throw InputError(fmt::format(
+        "the deck's mesh moves at {:.4g} m/s where the case's speed makes {:.4g}; give the case "
+        "that the deck was written for",
+        touch.wall.norm(), expected.norm()));
+}
+
+bool StretchRecorder::left_this_rank(std::uint32_t particle) const {
+  const int i = liggghts_.atom->map(static_cast<int>(particle));
+  return i < 0 || i >= liggghts_.atom->nlocal;
+}
+
+void StretchRecorder::exchange_collisions(long step) {
+  // Particles change ranks only where neighbour lists are built.
+  const bool could_move = liggghts_.neighbor->lastcall > latest_step_;
+  latest_step_ = step;
+  if (!could_move || liggghts_.comm->nprocs == 1) return;
+  const auto left = [this](std::uint32_t particle) { return left_this_rank(particle); };
+  for (const auto& open : of_all_ranks(load_.collisions().release(left), liggghts_.world))
+    if (!left_this_rank(open.so_far.particle)) load_.collisions().adopt(open);
+  if (!pairs_) return;
+  for (const auto& open : of_all_ranks(pairs_->release(left), liggghts_.world))
+    if (!left_this_rank(open.first)) pairs_->adopt(open);
+}
+
+void StretchRecorder::take_step(long step, const std::vector<WallTouch>& touches) {
+  exchange_collisions(step);
+  if (pairs_ && step > *plan_.pairs_after) take_pairs();
+  if (step != plan_.first_step && step % plan_.every_steps != 0) return;
+  const double dt = liggghts_.update->dt;
+  sample_.time = dt * static_cast<double>(step - plan_.first_step);
+  sample_.mill_angle = mill_.speed * dt * static_cast<double>(step);
+  sample_.contacts.clear();
+  for (const auto& touch : touches) sample_.contacts.push_back(contact_from(touch));
+  if (step == plan_.first_step) return load_.begin_with(sample_);
+  if (samples_ == 0 && !touches.empty()) check_that_it_turns(touches.front());
+  ++samples_;
+  load_.add(sample_);
+}
+
+void StretchRecorder::take_pairs() {
+  pairs_->begin_sample();
+  for_each_pair(liggghts_, [this](const PairTouch& touch) {
+    const auto& tag = liggghts_.atom->tag;
+    pairs_->add({.first = static_cast<std::uint32_t>(tag[touch.first]),
+                 .second = static_cast<std::uint32_t>(tag[touch.second]),
+                 .first_class = static_cast<std::uint32_t>(class_of_particle(touch.first)),
+                 .second_class = static_cast<std::uint32_t>(class_of_particle(touch.second)),
+                 .normal_power = touch.normal_power,
+                 .shear_power = touch.shear_power,
+                 .rolling_power = touch.rolling_power});
+  });
+  pairs_->end_sample();
+}
+
+void StretchRecorder::publish() {
+  const long wanted = plan_.last_step / plan_.every_steps - plan_.first_step / plan_.every_steps;
+  if (samples_ != wanted)
+    throw ResultRejected(
+        fmt::format("the deck ended at step {} and gave {} samples of the wall contacts, not {}; "
+                    "its runs and --after, --until, --every do not fit",
+                    liggghts_.update->ntimestep, samples_, wanted));
+  auto mine = load_.finish();
+  if (pairs_) mine.pairs = pairs_->finish();
+  if (spool_) spool_->close();
+  const auto record = sum_over_ranks(std::move(mine), liggghts_.world);
+  if (liggghts_.comm->me != 0) return;
+  if (plan_.events) publish_collisions(*plan_.events, liggghts_.comm->nprocs);
+  publish_written(plan_.load,
+                  [&](const std::filesystem::path& beside) { wear::write_record(beside, record); });
+}
+
+}  // namespace millwear::recorder

@@ -1,0 +1,58 @@
+#pragma once
+#include <mpi.h>
+
+#include <optional>
+#include <vector>
+
+#include "mill/case.h"
+#include "recorder/collision_spool.h"
+#include "recorder/recording_plan.h"
+#include "recorder/wall_module.h"
+#include "wear/load_accumulator.h"
+#include "wear/pair_tracker.h"
+
+namespace millwear::recorder {
+
+/// Records one stretch from inside LIGGGHTS: hangs itself on the liner's mesh, sums every wall
+/// contact of the measurement as it happens, and publishes the sums of all ranks at its end.
+class StretchRecorder {
+ public:
+  /// The deck's mesh has to stand and no step of the measurement be done. Throws InputError where
+  /// deck and case do not belong together.
+  StretchRecorder(LAMMPS_NS::LAMMPS& liggghts, const Case& mill, const RecordingPlan& plan);
+
+  StretchRecorder(const StretchRecorder&) = delete;
+  StretchRecorder& operator=(const StretchRecorder&) = delete;
+
+  /// To be called before every run of the deck.
+  void before_run();
+
+  /// Writes what was recorded, from rank 0; every rank has to call it. Throws ResultRejected where
+  /// the deck ended before the measurement did.
+  void publish();
+
+ private:
+  void take_step(long step, const std::vector<WallTouch>& touches);
+  void take_pairs();
+  void exchange_collisions(long step);
+  [[nodiscard]] WallContact contact_from(const WallTouch& touch) const;
+  [[nodiscard]] std::size_t class_of_particle(int particle) const;
+  [[nodiscard]] bool left_this_rank(std::uint32_t particle) const;
+  void check_that_it_turns(const WallTouch& touch) const;
+
+  LAMMPS_NS::LAMMPS& liggghts_;
+  Case mill_;
+  RecordingPlan plan_;
+  LAMMPS_NS::FixMeshSurface& mesh_;
+  std::optional<CollisionSpool> spool_;
+  wear::LoadAccumulator load_;
+  std::optional<wear::PairTracker> pairs_;
+  WallModule module_;
+  WallContacts sample_{};
+  long samples_ = 0;
+  long latest_step_ = 0;
+  mutable std::vector<std::uint32_t>
+      class_of_number_;  ///< by particle number, + 1; 0: not yet known
+};
+
+}  // namespace millwear::recorder

@@ -18,7 +18,7 @@ struct VerbText {
   const char* examples;
 };
 
-constexpr std::array<VerbText, 6> verbs = {{
+constexpr std::array<VerbText, 7> verbs = {{
     {Verb::check, "check",
      "Check a case file and print what would be simulated: counts, filling, time step, cost",
      "  millwear check cases/pilot_mill/case.toml\n"
@@ -36,6 +36,11 @@ constexpr std::array<VerbText, 6> verbs = {{
      "  millwear status cases/pilot_mill/case.toml"},
     {Verb::report, "report", "Write the result files and report.html of a campaign so far",
      "  millwear report cases/pilot_mill/case.toml --out runs/try"},
+    {Verb::wear, "wear",
+     "Put another wear law or coefficient to the loads that a campaign keeps, without any DEM",
+     "  cp cases/pilot_mill/case.toml other_law.toml   # and change the laws in its [wear]\n"
+     "  millwear wear other_law.toml --out runs/pilot_mill\n"
+     "  millwear wear other_law.toml --out runs/pilot_mill --csv rates.csv --json"},
 }};
 
 void add_common_options(CLI::App& verb, Command& command) {
@@ -71,7 +76,8 @@ ParsedCommandLine parse_command_line(int argc, const char* const* argv) {
                   .dry_run = false,
                   .explain = false,
                   .ranks = {},
-                  .profile = {}};
+                  .profile = {},
+                  .csv = {}};
   for (const auto& text : verbs) {
     CLI::App* const verb = app.add_subcommand(text.name, text.what);
     verb->footer(std::string("\nExamples:\n") + text.examples);
@@ -87,6 +93,8 @@ ParsedCommandLine parse_command_line(int argc, const char* const* argv) {
     if (text.verb == Verb::mesh || text.verb == Verb::deck)
       verb->add_option("--profile", command.profile,
                        "CSV of a worn profile (xi_m,eta_m) in place of the new one");
+    if (text.verb == Verb::wear)
+      verb->add_option("--csv", command.csv, "Write the depth rate by cycle, mechanism and bin");
   }
   try {
     app.parse(argc, argv);

@@ -7,7 +7,7 @@
 
 namespace millwear::orchestrator {
 
-enum class Verb { check, mesh, deck, run, status, report };
+enum class Verb { check, mesh, deck, run, status, report, wear };
 
 enum class OutputForm { text, json };
 
@@ -22,6 +22,7 @@ struct Command {
   bool explain;                                  ///< run: say why each stage runs
   std::optional<int> ranks;                      ///< instead of the case's
   std::optional<std::filesystem::path> profile;  ///< mesh, deck: a worn profile instead of the new
+  std::optional<std::filesystem::path> csv;      ///< wear: file of the rates by bin
 };
 
 /// The command, or the exit code with which the program ends at once (help, version, bad usage).

@@ -45,6 +45,8 @@ void carry_out(const Command& command) {
       return status_verb(command);
     case Verb::report:
       return report_verb(command);
+    case Verb::wear:
+      return wear_verb(command);
   }
 }
 

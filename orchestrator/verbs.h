@@ -11,5 +11,6 @@ void deck_verb(const Command& command);
 void run_verb(const Command& command);
 void status_verb(const Command& command);
 void report_verb(const Command& command);
+void wear_verb(const Command& command);
 
 }  // namespace millwear::orchestrator

@@ -40,8 +40,8 @@ TEST(CommandLine, TakesEveryOptionOfRun) {
 
 TEST(CommandLine, KnowsEveryVerb) {
   const std::vector<std::pair<const char*, Verb>> verbs = {
-      {"check", Verb::check}, {"mesh", Verb::mesh},     {"deck", Verb::deck},
-      {"run", Verb::run},     {"status", Verb::status}, {"report", Verb::report}};
+      {"check", Verb::check},   {"mesh", Verb::mesh},     {"deck", Verb::deck}, {"run", Verb::run},
+      {"status", Verb::status}, {"report", Verb::report}, {"wear", Verb::wear}};
   for (const auto& [name, verb] : verbs)
     EXPECT_EQ(answer_to({name, "case.toml"}).parsed.command->verb, verb) << name;
 }

@@ -9,6 +9,7 @@
 #include "mill/failure.h"
 #include "orchestrator/results/history.h"
 #include "orchestrator/results/profiles.h"
+#include "orchestrator/results/wear_rates.h"
 
 namespace millwear::orchestrator {
 namespace {
@@ -155,6 +156,24 @@ TEST_F(ResultsCsv, ALostNodeIsRefused) {
 
 TEST_F(ResultsCsv, AMissingFileIsADiskError) {
   EXPECT_THROW((void)read_history_csv(file), DiskError);
+}
+
+TEST_F(ResultsCsv, WearRatesComeBackAsTheyWere) {
+  const std::vector<WearRateRow> rows = {{0, 0, "archard", 0, 1.0 / 3.0, 1e-12 / 7.0, unknown},
+                                         {2, 1, "corrosion", 119, 0.3, 3e-11, 0.0}};
+  const std::string text = wear_rates_csv(rows);
+  EXPECT_THAT(text, StartsWith("# millwear wear rates 1\ncycle,mechanism,bin,arc_length_m,"));
+  write(text);
+  const auto back = read_wear_rates_csv(file);
+  EXPECT_EQ(wear_rates_csv(back), text);
+  ASSERT_EQ(back.size(), 2U);
+  EXPECT_EQ(back[0].arc_length, 1.0 / 3.0);
+  EXPECT_TRUE(std::isnan(back[0].depth_rate_error));
+  EXPECT_EQ(back[1].law, "corrosion");
+  EXPECT_EQ(back[1].bin, 119);
+  EXPECT_EQ(back[1].depth_rate, 3e-11);
+  write("# millwear wear rates 2\n");
+  EXPECT_THAT(refusal([&] { static_cast<void>(read_wear_rates_csv(file)); }), HasSubstr(":1:"));
 }
 
 }  // namespace

@@ -123,7 +123,7 @@ WallContact ContactJoin::contact_from(std::span<const double> row, long step) co
   arm.y() -= slice_length_ * std::round(arm.y() / slice_length_);
   const Eigen::Vector3d wall_velocity(mill_speed_ * point.z(), 0.0, -mill_speed_ * point.x());
   const Eigen::Vector3d velocity = particle.velocity - wall_velocity;
-  const ContactMotion motion = contact_motion(arm, velocity, particle.spin);
+  const ContactMotion motion = contact_motion(arm, particle.radius, velocity, particle.spin);
   const double force = -vector_at(row, 5).dot(motion.into_wall);
   const double slip = motion.slip.norm();
   return {.point = point,

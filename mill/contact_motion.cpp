@@ -6,10 +6,11 @@
 
 namespace millwear {
 
-ContactMotion contact_motion(const Eigen::Vector3d& arm, const Eigen::Vector3d& velocity,
-                             const Eigen::Vector3d& spin) {
-  const Eigen::Vector3d into_wall = arm.normalized();
-  const Eigen::Vector3d surface = velocity + spin.cross(arm);
+ContactMotion contact_motion(const Eigen::Vector3d& arm, double radius,
+                             const Eigen::Vector3d& velocity, const Eigen::Vector3d& spin) {
+  const double length = arm.norm();
+  const Eigen::Vector3d into_wall = arm / length;
+  const Eigen::Vector3d surface = velocity + 0.5 * (radius + length) * spin.cross(into_wall);
   const double closing = surface.dot(into_wall);
   return {into_wall, closing, surface - closing * into_wall, velocity.norm()};
 }

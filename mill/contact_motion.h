@@ -11,10 +11,12 @@ struct ContactMotion {
   double impact_speed;        ///< of the centre, without the spin [m/s]
 };
 
-/// `arm` is the vector from the centre to the contact [m], `velocity` the centre's against the
-/// wall's at the contact [m/s], `spin` [rad/s]:
-///     v = velocity + spin x arm,   v_n = v . n,   v_slip = v - v_n n,   n = arm / |arm|.
-[[nodiscard]] ContactMotion contact_motion(const Eigen::Vector3d& arm,
+/// `arm` is the vector from the centre to the contact [m], `radius` the sphere's, `velocity` the
+/// centre's against the wall's at the contact [m/s], `spin` [rad/s]. The surfaces meet in the
+/// middle of the overlap, as LIGGGHTS has it:
+///     v = velocity + (R + |arm|) / 2 spin x n,   v_n = v . n,   v_slip = v - v_n n,   n = arm /
+///     |arm|.
+[[nodiscard]] ContactMotion contact_motion(const Eigen::Vector3d& arm, double radius,
                                            const Eigen::Vector3d& velocity,
                                            const Eigen::Vector3d& spin);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -118,6 +119,13 @@ LinerProfile read_profile_csv(const std::filesystem::path& file, const LinerSect
     }
     throw InputError(fmt::format("{}:1: {}", file.string(), text));
   }
+}
+
+std::string profile_csv(const LinerProfile& profile) {
+  std::string text = "# millwear profile 1\nxi_m,eta_m\n";
+  for (const auto& node : profile.nodes)
+    fmt::format_to(std::back_inserter(text), "{},{}\n", node.x(), node.y());
+  return text;
 }
 
 }  // namespace millwear

@@ -7,22 +7,12 @@
 #include "meshgen/mesh_check.h"
 #include "meshgen/profile_cad.h"
 #include "meshgen/stl_file.h"
+#include "mill/profile_csv.h"
 #include "mill/published_file.h"
 #include "orchestrator/mesh_facts.h"
 #include "orchestrator/stages.h"
 
 namespace millwear::orchestrator {
-
-namespace {
-
-std::string profile_csv(const LinerProfile& liner) {
-  std::string text = "# millwear profile 1\nxi_m,eta_m\n";
-  for (const auto& node : liner.nodes)
-    fmt::format_to(std::back_inserter(text), "{},{}\n", node.x(), node.y());
-  return text;
-}
-
-}  // namespace
 
 void write_mesh(const Case& mill, const LinerProfile& liner, const std::filesystem::path& into) {
   const meshgen::MeshSettings settings{.tolerance = mesh_tolerance(mill)};

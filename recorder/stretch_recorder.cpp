@@ -57,7 +57,7 @@ StretchRecorder::StretchRecorder(LAMMPS& liggghts, const Case& mill, const Recor
       mill_(mill),
       plan_(plan),
       mesh_(the_mesh(liggghts)),
-      load_(read_profile_csv(plan.liner, mill.liner.sector),
+      load_({mill.liner.sector, read_profile_nodes(plan.liner)},
             measurement_of(mill, plan, liggghts.update->dt, triangles_of(mesh_)),
             [this](const wear::Collision& collision) {
               if (spool_) spool_->add(collision);
@@ -105,10 +105,8 @@ std::size_t StretchRecorder::class_of_particle(int particle) const {
 WallContact StretchRecorder::contact_from(const WallTouch& touch) const {
   const auto& atom = *liggghts_.atom;
   const int i = touch.particle;
-  // LIGGGHTS lets the surfaces meet in the middle of the overlap.
-  const double lever = 0.5 * (1.0 + atom.radius[i] / touch.arm.norm());
   const ContactMotion motion =
-      contact_motion(lever * touch.arm, at(atom.v, i) - touch.wall, at(atom.omega, i));
+      contact_motion(touch.arm, atom.radius[i], at(atom.v, i) - touch.wall, at(atom.omega, i));
   const double pushed = -touch.force.dot(motion.into_wall);
   const Vector3d tangential = touch.force + pushed * motion.into_wall;
   return {.point = at(atom.x, i) + touch.arm,

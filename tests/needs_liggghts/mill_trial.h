@@ -14,6 +14,9 @@ struct Stretch {
 /// The mill that makes a whole campaign in seconds: 120 balls, six lifters.
 [[nodiscard]] Case small_mill();
 
+/// Changes the decks in a folder before they run.
+using ChangeDeck = std::function<void(const std::filesystem::path&)>;
+
 /// Packs the charge and mixes it in `folder` with the program's deck for so many steps.
 Stretch mix(const Case& mill, const liggghts::StretchSteps& steps,
             const std::filesystem::path& folder, int ranks);
@@ -22,6 +25,11 @@ Stretch mix(const Case& mill, const liggghts::StretchSteps& steps,
 /// the folder beside it, `previous`, left.
 Stretch measure(const Case& mill, const liggghts::StretchSteps& steps, const LinerProfile& liner,
                 const std::filesystem::path& folder, const std::string& previous, int cycle,
-                int ranks);
+                int ranks, const ChangeDeck& change = {});
+
+/// The same with the recorder.
+Recording record(const Case& mill, const liggghts::StretchSteps& steps, const LinerProfile& liner,
+                 const std::filesystem::path& folder, const std::string& previous, int ranks,
+                 const ChangeDeck& change = {});
 
 }  // namespace millwear::trial

@@ -40,7 +40,7 @@ Case one_sphere(const LinerProfile& liner, double speed, double restitution) {
                   .keep_dumps = false,
                   .keep_events = false,
                   .pair_revolutions = 0.0},
-          .wear = {{{WearLaw::archard, 1e-12}}, 40, 4, 0.1},
+          .wear = {{{WearLaw::archard, 1e-12}}, 100, 4, 0.1},
           .campaign = {0.15, 5, 0.01, 0.002, 50}};
 }
 
@@ -81,11 +81,13 @@ double resting_overlap(const Case& mill) {
   return std::pow(0.75 * sphere_mass * gravity / (effective * std::sqrt(sphere_radius)), 2.0 / 3.0);
 }
 
-Dumps run_sphere(const Case& mill, const liggghts::StretchSteps& steps, const Launch& launch,
-                 const std::string& lines) {
+namespace {
+
+liggghts::StretchExpectation write_sphere_deck(const Case& mill,
+                                               const liggghts::StretchSteps& steps,
+                                               const Launch& launch, const std::string& lines,
+                                               const std::filesystem::path& folder) {
   namespace names = liggghts::file_names;
-  const ScratchFolder scratch;
-  const auto folder = scratch.stage("dem");
   const auto mesh = write_liner_mesh(mill, mill.liner, folder);
   const std::string contact_model = fmt::format("include       {}\n", names::contact_model);
   const auto& v = launch.velocity;
@@ -100,7 +102,24 @@ Dumps run_sphere(const Case& mill, const liggghts::StretchSteps& steps, const La
              with(with(liggghts::measuring_deck(mill, steps, mill.liner, names::charge),
                        "read_restart", "read_data"),
                   contact_model, contact_model + lines));
-  return run_deck(folder, 1, {1, mesh.triangles.size(), steps.total()});
+  return {1, mesh.triangles.size(), steps.total()};
+}
+
+}  // namespace
+
+Dumps run_sphere(const Case& mill, const liggghts::StretchSteps& steps, const Launch& launch,
+                 const std::string& lines) {
+  const ScratchFolder scratch;
+  const auto folder = scratch.stage("dem");
+  return run_deck(folder, 1, write_sphere_deck(mill, steps, launch, lines, folder));
+}
+
+Recording record_sphere(const Case& mill, const liggghts::StretchSteps& steps, const Launch& launch,
+                        const std::string& lines, int ranks) {
+  const ScratchFolder scratch;
+  const auto folder = scratch.stage("dem");
+  return record_deck(mill, steps, mill.liner, folder, ranks,
+                     write_sphere_deck(mill, steps, launch, lines, folder));
 }
 
 }  // namespace millwear::trial

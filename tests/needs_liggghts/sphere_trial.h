@@ -42,4 +42,9 @@ inline constexpr const char* drag_without_rolling =
 [[nodiscard]] Dumps run_sphere(const Case& mill, const liggghts::StretchSteps& steps,
                                const Launch& launch, const std::string& lines = {});
 
+/// The same with the recorder.
+[[nodiscard]] Recording record_sphere(const Case& mill, const liggghts::StretchSteps& steps,
+                                      const Launch& launch, const std::string& lines = {},
+                                      int ranks = 1);
+
 }  // namespace millwear::trial

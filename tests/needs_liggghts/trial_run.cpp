@@ -6,10 +6,14 @@
 
 #include "liggghts_inputs/deck.h"
 #include "meshgen/stl_file.h"
+#include "mill/case_lock.h"
 #include "mill/failure.h"
+#include "mill/profile_csv.h"
 #include "orchestrator/mesh_facts.h"
 #include "orchestrator/stages.h"
 #include "orchestrator/stretch_run.h"
+#include "wear/collision_store.h"
+#include "wear/load_store.h"
 #include "wear/wear_law.h"
 
 namespace millwear::trial {
@@ -63,22 +67,56 @@ std::string text_of(const fs::path& file) {
 
 meshgen::LinerMesh write_liner_mesh(const Case& mill, const LinerProfile& liner,
                                     const fs::path& folder) {
-  auto mesh = meshgen::build_liner_mesh(liner, mill.slice_length,
-                                        {.tolerance = mesh_tolerance(mill)});
+  auto mesh =
+      meshgen::build_liner_mesh(liner, mill.slice_length, {.tolerance = mesh_tolerance(mill)});
   meshgen::write_stl(mesh, folder / "liner.stl");
   return mesh;
 }
 
-Dumps run_deck(const fs::path& folder, int ranks, const liggghts::StretchExpectation& expected) {
+namespace {
+
+Dumps run_program(const fs::path& folder, int ranks, const liggghts::StretchExpectation& expected,
+                  std::optional<orchestrator::RecorderProgram> recorder) {
   Dumps dumps;
   const bool measures = text_of(folder / names::deck).find(names::contacts) != std::string::npos;
   std::vector<orchestrator::DumpPipe> pipes;
   if (measures)
     pipes = {{names::contacts, [&](std::string_view piece) { dumps.contacts += piece; }},
              {names::spins, [&](std::string_view piece) { dumps.spins += piece; }}};
-  orchestrator::run_liggghts({folder, ranks, {}}, pipes);
+  orchestrator::run_liggghts({folder, ranks, {}, std::move(recorder)}, pipes);
   liggghts::check_stretch_log(text_of(folder / names::log), names::log, expected);
   return dumps;
+}
+
+}  // namespace
+
+Dumps run_deck(const fs::path& folder, int ranks, const liggghts::StretchExpectation& expected) {
+  return run_program(folder, ranks, expected, std::nullopt);
+}
+
+Recording record_deck(const Case& mill, const liggghts::StretchSteps& steps,
+                      const LinerProfile& liner, const fs::path& folder, int ranks,
+                      const liggghts::StretchExpectation& expected) {
+  write_text(folder / "case.toml", locked_case_text(mill));
+  write_text(folder / "liner.csv", profile_csv(liner));
+  std::vector<std::string> arguments = {"--case",   "case.toml",
+                                        "--liner",  "liner.csv",
+                                        "--load",   "load.h5",
+                                        "--events", "events.h5",
+                                        "--after",  std::to_string(steps.settle_steps),
+                                        "--until",  std::to_string(steps.total()),
+                                        "--every",  std::to_string(steps.sample_steps)};
+  if (steps.pair_steps > 0)
+    arguments.insert(arguments.end(),
+                     {"--pairs-after", std::to_string(steps.total() - steps.pair_steps)});
+  Recording recording;
+  recording.dumps = run_program(folder, ranks, expected,
+                                orchestrator::RecorderProgram{MILLWEAR_RECORDER, arguments});
+  recording.record = wear::read_record(folder / "load.h5");
+  wear::for_each_collision(folder / "events.h5", [&](const wear::Collision& collision) {
+    recording.collisions.push_back(collision);
+  });
+  return recording;
 }
 
 liggghts::RunLog log_of(const fs::path& folder) {
@@ -95,8 +133,9 @@ std::vector<liggghts::Snapshot> snapshots_of(const std::string& dump, std::size_
 }
 
 void join_dumps(const Case& mill, const liggghts::StretchSteps& steps, const Dumps& dumps,
-                const liggghts::ContactJoin::Take& take, Spin spin) {
-  liggghts::ContactJoin join(mill, steps, take);
+                const liggghts::ContactJoin::Take& take, Spin spin,
+                const liggghts::ContactJoin::Take& begin) {
+  liggghts::ContactJoin join(mill, steps, take, begin);
   auto spins = snapshots_of(dumps.spins, liggghts::spin_columns);
   if (spin == Spin::dropped) spins = without_spin(std::move(spins));
   for (const auto& snapshot : snapshots_of(dumps.contacts, liggghts::contact_columns))
@@ -110,7 +149,8 @@ WallLoad load_of(const Case& mill, const liggghts::StretchSteps& steps, const Li
   wear::LoadAccumulator accumulator(
       liner, wear::load_measurement(mill, steps.measure_time(), steps.sample_interval(), 0));
   join_dumps(
-      mill, steps, dumps, [&](const WallContacts& sample) { accumulator.add(sample); }, spin);
+      mill, steps, dumps, [&](const WallContacts& sample) { accumulator.add(sample); }, spin,
+      [&](const WallContacts& sample) { accumulator.begin_with(sample); });
   const WallLoad load = accumulator.finish().load;
   wear::check_rejected_share(load, 0.0);
   return wear::coarsened(load, wear::cells_per_bin);

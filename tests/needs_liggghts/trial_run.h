@@ -9,6 +9,7 @@
 #include "liggghts_inputs/stretch.h"
 #include "meshgen/liner_mesh.h"
 #include "mill/case.h"
+#include "wear/collision.h"
 #include "wear/load_accumulator.h"
 
 namespace millwear::trial {
@@ -47,6 +48,18 @@ struct Dumps {
 Dumps run_deck(const std::filesystem::path& folder, int ranks,
                const liggghts::StretchExpectation& expected);
 
+/// What the recorder made of a deck.
+struct Recording {
+  wear::LinerRecord record;
+  std::vector<wear::Collision> collisions;
+  Dumps dumps;  ///< of the same run, where the deck dumps
+};
+
+/// Runs the deck that lies in `folder`, of a mill with this liner, with the recorder.
+Recording record_deck(const Case& mill, const liggghts::StretchSteps& steps,
+                      const LinerProfile& liner, const std::filesystem::path& folder, int ranks,
+                      const liggghts::StretchExpectation& expected);
+
 [[nodiscard]] liggghts::RunLog log_of(const std::filesystem::path& folder);
 
 /// Every snapshot of a dump.
@@ -57,7 +70,8 @@ Dumps run_deck(const std::filesystem::path& folder, int ranks,
 /// is taken for zero, as if it were not dumped.
 enum class Spin { kept, dropped };
 void join_dumps(const Case& mill, const liggghts::StretchSteps& steps, const Dumps& dumps,
-                const liggghts::ContactJoin::Take& take, Spin spin = Spin::kept);
+                const liggghts::ContactJoin::Take& take, Spin spin = Spin::kept,
+                const liggghts::ContactJoin::Take& begin = {});
 
 /// The load of the dumps on `liner`, as the program accumulates it. Throws ResultRejected where a
 /// contact lies off the profile.

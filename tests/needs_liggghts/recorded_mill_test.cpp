@@ -1,0 +1,84 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "liggghts_inputs/deck.h"
+#include "mill/time_step.h"
+#include "tests/needs_liggghts/mill_trial.h"
+
+namespace millwear::trial {
+namespace {
+
+using liggghts::StretchSteps;
+
+class RecordedMill : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!liggghts_is_installed()) GTEST_SKIP() << "liggghts or mpirun is not installed";
+    mix(mill_, {plan_.time_step, 2 * plan_.steps_per_pitch, 0, 20}, scratch_.stage("mix"), 1);
+  }
+
+  [[nodiscard]] std::string restart_of(const std::string& stage) const {
+    return text_of(scratch_.stage(stage) / liggghts::file_names::restart);
+  }
+
+  Case mill_ = small_mill();
+  const StepPlan plan_ = plan_steps(mill_);
+  const ScratchFolder scratch_;
+};
+
+double sum(const WallLoad& load, Measure measure) { return load.total(measure).sum(); }
+
+/// Has the deck in a folder print every particle at its end, to the last bit.
+void add_final_dump(const std::filesystem::path& folder) {
+  const auto deck = folder / liggghts::file_names::deck;
+  std::string text = text_of(deck);
+  text.insert(
+      text.find("write_restart"),
+      "dump last all custom 1 last.dump id x y z vx vy vz omegax omegay omegaz\n"
+      "dump_modify last sort id format \"%d %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g "
+      "%.17g\"\nrun 0\n");
+  write_text(deck, text);
+}
+
+// The recorder changes nothing: with it and without, two ranks end in the same particles to the
+// last bit, also where it keeps the forces between particles.
+TEST_F(RecordedMill, EndsInTheSameBitsAsWithoutTheRecorder) {
+  mill_.dem.contact_path = ContactPath::recorder;
+  for (const long pair_steps : {0L, 1000L}) {
+    const StretchSteps steps{plan_.time_step, 500, 2500, 1, pair_steps};
+    const auto plain = scratch_.stage(fmt::format("plain{}", pair_steps));
+    const auto recorded = scratch_.stage(fmt::format("recorded{}", pair_steps));
+    measure(mill_, steps, mill_.liner, plain, "mix", 0, 2, add_final_dump);
+    record(mill_, steps, mill_.liner, recorded, "mix", 2, add_final_dump);
+    EXPECT_GT(text_of(plain / "last.dump").size(), 10000u);
+    EXPECT_TRUE(text_of(plain / "last.dump") == text_of(recorded / "last.dump")) << pair_steps;
+  }
+}
+
+// The dumps and the recorder on the same run, both every 20 steps and without damping, which the
+// dumps evaluate with other velocities: the same contacts in the same cells with the same forces,
+// to the digits that the dumps have.
+TEST_F(RecordedMill, SeesWhatTheDumpsSee) {
+  mill_.dem.contact_path = ContactPath::dumps;
+  mill_.pairs.front().restitution = 1.0;
+  const StretchSteps steps{plan_.time_step, 500, 4000, 20};
+  const Recording recording = record(mill_, steps, mill_.liner, scratch_.stage("both"), "mix", 2);
+  const WallLoad dumped = load_of(mill_, steps, mill_.liner, recording.dumps);
+  const WallLoad recorded = wear::coarsened(recording.record.load, wear::cells_per_bin);
+  EXPECT_GT(sum(recorded, Measure::samples), 1000.0);
+  EXPECT_EQ(sum(recorded, Measure::samples), sum(dumped, Measure::samples));
+  EXPECT_EQ(sum(recorded, Measure::events), sum(dumped, Measure::events));
+  for (const Measure measure : {Measure::samples, Measure::events, Measure::normal_impulse,
+                                Measure::sliding_work, Measure::normal_dissipation}) {
+    const auto& mine = recorded.values[index_of(measure)];
+    const auto& theirs = dumped.values[index_of(measure)];
+    EXPECT_LT((mine - theirs).cwiseAbs().sum(), 2e-3 * mine.cwiseAbs().sum())
+        << measure_names[index_of(measure)];
+  }
+}
+
+}  // namespace
+}  // namespace millwear::trial

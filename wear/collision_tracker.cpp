@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
+#include <tuple>
 
 #include "mill/failure.h"
 
@@ -11,6 +14,7 @@ namespace millwear::wear {
 namespace {
 
 constexpr double cosine_of_same_side = 0.8660254037844386;  // 30 degrees
+constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
 Unfinished with(Unfinished flags, Unfinished more) {
   return static_cast<Unfinished>(static_cast<int>(flags) | static_cast<int>(more));
@@ -39,67 +43,93 @@ CollisionTracker::CollisionTracker(std::size_t particles, double sample_interval
       ended_(std::move(ended)),
       first_of_particle_(particles + 1, 0) {}
 
-void CollisionTracker::begin_sample(double time, SampleKind kind) {
-  time_ = time;
-  kind_ = kind;
-  ++sample_;
+void CollisionTracker::sort_by_particle(std::span<const WallContact> contacts) {
+  order_.resize(contacts.size());
+  std::iota(order_.begin(), order_.end(), std::size_t{0});
+  const auto key = [&](std::size_t i) {
+    const WallContact& contact = contacts[i];
+    return std::tuple(contact.particle, contact.triangle, contact.into_wall.x(),
+                      contact.into_wall.y(), contact.into_wall.z());
+  };
+  std::sort(order_.begin(), order_.end(),
+            [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
 }
 
-OpenCollision* CollisionTracker::find(const WallContact& contact) {
-  OpenCollision* nearest = nullptr;
+std::size_t CollisionTracker::nearest_open(const WallContact& contact) const {
+  std::size_t nearest = none;
   double best = cosine_of_same_side;
-  for (std::uint32_t at = first_of_particle_[contact.particle]; at != 0;) {
-    OpenCollision& open = open_[at - 1];
-    const double cosine = open.into_wall[0] * contact.into_wall.x() +
-                          open.into_wall[1] * contact.into_wall.y() +
-                          open.into_wall[2] * contact.into_wall.z();
-    if (cosine >= best) {
-      best = cosine;
-      nearest = &open;
-    }
-    at = open.behind;
+  for (std::size_t at = first_of_particle_[contact.particle]; at != 0; at = open_[at - 1].behind) {
+    const Eigen::Map<const Eigen::Vector3d> side(open_[at - 1].into_wall);
+    const double cosine = side.dot(contact.into_wall) / side.norm();
+    if (cosine < best) continue;
+    best = cosine;
+    nearest = at - 1;
   }
   return nearest;
 }
 
-bool CollisionTracker::add(const WallContact& contact, const LinerPlace& place) {
-  if (contact.particle == 0 || contact.particle >= first_of_particle_.size())
-    throw ResultRejected(fmt::format("a wall contact of particle {}; the charge has {}",
-                                     contact.particle, first_of_particle_.size() - 1));
-  OpenCollision* open = find(contact);
-  const bool begins = open == nullptr;
-  if (begins) {
+void CollisionTracker::open(const OpenCollision& collision) {
+  open_.push_back(collision);
+  std::uint32_t& first = first_of_particle_[collision.so_far.particle];
+  open_.back().behind = first;
+  first = static_cast<std::uint32_t>(open_.size());
+}
+
+const std::vector<bool>& CollisionTracker::add(double time, SampleKind kind,
+                                               std::span<const WallContact> contacts,
+                                               std::span<const LinerPlace> places) {
+  ++sample_;
+  sort_by_particle(contacts);
+  collision_of_.resize(contacts.size());
+  begins_.assign(contacts.size(), false);
+  for (const std::size_t i : order_) {
+    const WallContact& contact = contacts[i];
+    if (contact.particle == 0 || contact.particle >= first_of_particle_.size())
+      throw ResultRejected(fmt::format("a wall contact of particle {}; the charge has {}",
+                                       contact.particle, first_of_particle_.size() - 1));
+    collision_of_[i] = nearest_open(contact);
+    if (collision_of_[i] != none) continue;
     OpenCollision fresh{};
-    fresh.so_far = begun(contact, place, time_);
-    if (kind_ == SampleKind::before) fresh.so_far.unfinished = Unfinished::began_before;
-    fresh.behind = first_of_particle_[contact.particle];
-    open_.push_back(fresh);
-    first_of_particle_[contact.particle] = static_cast<std::uint32_t>(open_.size());
-    open = &open_.back();
+    fresh.so_far = begun(contact, places[i], time);
+    if (kind == SampleKind::before) fresh.so_far.unfinished = Unfinished::began_before;
+    std::copy_n(contact.into_wall.data(), 3, fresh.into_wall);
+    collision_of_[i] = open_.size();
+    begins_[i] = kind == SampleKind::measured;
+    open(fresh);
   }
-  if (open->sample != sample_) {
-    open->sample = sample_;
-    open->force_now = 0.0;
+  for (const std::size_t i : order_) add_to(open_[collision_of_[i]], contacts[i], time, kind);
+  end_sample();
+  return begins_;
+}
+
+void CollisionTracker::add_to(OpenCollision& collision, const WallContact& contact, double time,
+                              SampleKind kind) {
+  if (collision.sample != sample_) {
+    collision.sample = sample_;
+    collision.latest_time = time;
+    collision.force_now = 0.0;
+    collision.slip_now = 0.0;
+    std::fill_n(collision.into_wall, 3, 0.0);
   }
-  std::copy_n(contact.into_wall.data(), 3, open->into_wall);
-  open->latest_time = time_;
-  if (kind_ == SampleKind::before) return false;
-  Collision& sum = open->so_far;
+  Eigen::Map<Eigen::Vector3d>(collision.into_wall) += contact.into_wall;
+  if (kind == SampleKind::before) return;
+  Collision& sum = collision.so_far;
   const double dt = sample_interval_;
-  open->force_now += contact.normal_force;
-  sum.largest_normal_force = std::max(sum.largest_normal_force, open->force_now);
+  collision.force_now += contact.normal_force;
+  collision.slip_now = std::max(collision.slip_now, contact.slip_speed);
   sum.normal_dissipation += contact.normal_force * contact.normal_speed * dt;
   sum.sliding_work += std::max(contact.normal_force, 0.0) * contact.slip_speed * dt;
   sum.shear_dissipation += contact.shear_power * dt;
-  sum.slip_distance += contact.slip_speed * dt;
-  return begins;
 }
 
 void CollisionTracker::end_sample() {
   const std::size_t before = open_.size();
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < open_.size(); ++i) {
+  for (std::size_t i = 0; i < before; ++i) {
     if (open_[i].sample == sample_) {
+      Collision& sum = open_[i].so_far;
+      sum.largest_normal_force = std::max(sum.largest_normal_force, open_[i].force_now);
+      sum.slip_distance += open_[i].slip_now * sample_interval_;
       if (kept != i) open_[kept] = open_[i];
       ++kept;
       continue;
@@ -147,9 +177,8 @@ std::vector<OpenCollision> CollisionTracker::release(
 }
 
 void CollisionTracker::adopt(const OpenCollision& collision) {
-  open_.push_back(collision);
+  open(collision);
   open_.back().sample = sample_;
-  relink();
 }
 
 }  // namespace millwear::wear

@@ -1,6 +1,8 @@
 #pragma once
 #include <Eigen/Core>
+#include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "mill/wall_contacts.h"
@@ -18,8 +20,9 @@ struct LinerPlace {
 /// MPI rank.
 struct OpenCollision {
   Collision so_far;
-  double into_wall[3];   ///< of its latest contact
-  double force_now;      ///< sum of the normal forces in the latest sample [N]
+  double into_wall[3];   ///< sum of these unit vectors over its contacts in the latest sample
+  double force_now;      ///< sum of their normal forces [N]
+  double slip_now;       ///< largest of their |v_slip| [m/s]
   double latest_time;    ///< [s]
   std::int64_t sample;   ///< the latest sample it was seen in
   std::uint32_t behind;  ///< next open collision of the same particle, + 1; 0 for none
@@ -27,10 +30,12 @@ struct OpenCollision {
 
 /// Follows the collisions of every particle with the liner from sample to sample.
 ///
-/// A contact goes on with an open collision of its particle whose direction, seen from the
-/// particle's centre, is within 30 degrees of its own: so a ball that slides or rolls from one
-/// triangle to the next is one collision, and a ball in the foot of a lifter that touches plate and
-/// face is two. A collision ends with the first sample in which it is not seen.
+/// A contact goes on with that open collision of its particle whose direction, seen from the
+/// particle's centre, was nearest to its own in the sample before, if within 30 degrees: so a ball
+/// that slides or rolls from one triangle to the next is one collision, and a ball in the foot of a
+/// lifter that touches plate and face is two. Contacts that begin together within 30 degrees of the
+/// first of them, by triangle, are one collision too. A collision ends with the first sample in
+/// which it is not seen. The order of the contacts in a sample does not matter.
 class CollisionTracker {
  public:
   using Take = std::function<void(const Collision&)>;
@@ -39,13 +44,14 @@ class CollisionTracker {
   /// every collision that ends.
   CollisionTracker(std::size_t particles, double sample_interval, Take ended);
 
-  /// Contacts of one sample: begin, every contact, end. What is first seen in a sample `before` the
-  /// measurement, began before it, and nothing is integrated there.
+  /// What is first seen in a sample `before` the measurement, began before it, and nothing is
+  /// integrated there.
   enum class SampleKind { before, measured };
-  void begin_sample(double time, SampleKind kind);
-  /// Returns whether a collision begins with this contact.
-  bool add(const WallContact& contact, const LinerPlace& place);
-  void end_sample();
+
+  /// Takes all contacts of one sample, with a place for each. Returns for each whether a collision
+  /// begins with it. Throws ResultRejected for a particle that the charge does not have.
+  const std::vector<bool>& add(double time, SampleKind kind, std::span<const WallContact> contacts,
+                               std::span<const LinerPlace> places);
 
   /// Ends what is still open and flags it.
   void finish();
@@ -58,16 +64,21 @@ class CollisionTracker {
   [[nodiscard]] std::size_t open_count() const { return open_.size(); }
 
  private:
-  OpenCollision* find(const WallContact& contact);
+  void sort_by_particle(std::span<const WallContact> contacts);
+  [[nodiscard]] std::size_t nearest_open(const WallContact& contact) const;
+  void open(const OpenCollision& collision);
+  void add_to(OpenCollision& collision, const WallContact& contact, double time, SampleKind kind);
+  void end_sample();
   void relink();
 
   double sample_interval_;
   Take ended_;
   std::vector<OpenCollision> open_;
   std::vector<std::uint32_t> first_of_particle_;  ///< by particle number, + 1; 0 for none
-  double time_ = 0.0;
-  SampleKind kind_ = SampleKind::measured;
   std::int64_t sample_ = 0;
+  std::vector<std::size_t> order_;         ///< of the sample's contacts
+  std::vector<std::size_t> collision_of_;  ///< by contact
+  std::vector<bool> begins_;               ///< by contact
 };
 
 }  // namespace millwear::wear

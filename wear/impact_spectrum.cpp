@@ -6,16 +6,17 @@
 namespace millwear::wear {
 
 Eigen::VectorXd energy_edges() {
-  Eigen::VectorXd edges(energy_classes + 1);
-  for (Eigen::Index i = 0; i <= energy_classes; ++i)
-    edges[i] = least_energy * std::pow(10.0, static_cast<double>(i) / energy_classes_per_decade);
-  return edges;
+  const double first = std::log10(least_energy) * energy_classes_per_decade;
+  return Eigen::VectorXd::NullaryExpr(energy_classes + 1, [first](Eigen::Index i) {
+    return std::pow(10.0, (first + static_cast<double>(i)) / energy_classes_per_decade);
+  });
 }
 
 Eigen::Index energy_class(double energy) {
+  static const Eigen::VectorXd edges = energy_edges();
   if (!(energy > least_energy)) return 0;
-  const double place = std::log10(energy / least_energy) * energy_classes_per_decade;
-  return std::min(static_cast<Eigen::Index>(place), energy_classes - 1);
+  const auto above = std::upper_bound(edges.begin(), edges.end(), energy);
+  return std::min<Eigen::Index>(above - edges.begin() - 1, energy_classes - 1);
 }
 
 ImpactSpectrum empty_spectrum(Eigen::Index groups) {

@@ -4,7 +4,6 @@
 namespace millwear::wear {
 
 /// Energy classes of the spectra: ten to the decade from 1e-9 to 1e5 J, evenly in the logarithm.
-/// What lies beyond counts to the first or the last class.
 inline constexpr Eigen::Index energy_classes = 140;
 inline constexpr double least_energy = 1e-9;
 inline constexpr double energy_classes_per_decade = 10.0;
@@ -12,7 +11,8 @@ inline constexpr double energy_classes_per_decade = 10.0;
 /// Limits of the energy classes [J], size energy_classes + 1.
 [[nodiscard]] Eigen::VectorXd energy_edges();
 
-/// The class of an energy [J]; zero and less belong to the first.
+/// The class i of an energy [J], edges[i] <= energy < edges[i + 1]; what lies beyond belongs to the
+/// first or the last.
 [[nodiscard]] Eigen::Index energy_class(double energy);
 
 /// How many collisions dissipated how much, a row an energy class, a column a group: the particle

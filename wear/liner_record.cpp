@@ -5,9 +5,10 @@
 namespace millwear::wear {
 
 WallLoad sum_of(const WallLoad& first, const WallLoad& second) {
-  if (first.bin_edges != second.bin_edges || first.class_count != second.class_count ||
-      first.block_count != second.block_count || first.rows != second.rows ||
-      first.slice_length != second.slice_length || first.duration != second.duration) {
+  if (first.bins() != second.bins() || first.bin_edges != second.bin_edges ||
+      first.class_count != second.class_count || first.block_count != second.block_count ||
+      first.rows != second.rows || first.slice_length != second.slice_length ||
+      first.duration != second.duration) {
     throw InputError("two wall loads can be summed only on the same bins, classes and blocks");
   }
   WallLoad sum = first;

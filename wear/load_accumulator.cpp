@@ -98,9 +98,9 @@ LinerPlace LoadAccumulator::liner_place(const Place& place) const {
 
 void LoadAccumulator::check(const WallContact& contact, double time) const {
   if (contact.particle_class >= measurement_.class_mass.size() ||
-      !std::isfinite(contact.point.x() + contact.point.z() + contact.normal_force +
-                     contact.slip_speed + contact.normal_speed + contact.shear_power +
-                     contact.finnie_power)) {
+      !std::isfinite(contact.point.sum() + contact.into_wall.sum() + contact.normal_force +
+                     contact.slip_speed + contact.normal_speed + contact.impact_speed +
+                     contact.impact_normal_speed + contact.shear_power + contact.finnie_power)) {
     throw ResultRejected(fmt::format(
         "a wall contact at {} s is of particle class {} of {} or holds a value that is not "
         "finite",
@@ -108,25 +108,34 @@ void LoadAccumulator::check(const WallContact& contact, double time) const {
   }
 }
 
+const std::vector<bool>& LoadAccumulator::follow(const WallContacts& sample,
+                                                 CollisionTracker::SampleKind kind) {
+  places_.clear();
+  liner_places_.clear();
+  for (const WallContact& contact : sample.contacts) {
+    check(contact, sample.time);
+    places_.push_back(place_of(contact, sample.mill_angle));
+    liner_places_.push_back(liner_place(places_.back()));
+  }
+  return tracker_.add(sample.time, kind, sample.contacts, liner_places_);
+}
+
 void LoadAccumulator::begin_with(const WallContacts& sample) {
-  tracker_.begin_sample(sample.time, CollisionTracker::SampleKind::before);
-  for (const WallContact& contact : sample.contacts)
-    tracker_.add(contact, liner_place(place_of(contact, sample.mill_angle)));
-  tracker_.end_sample();
+  follow(sample, CollisionTracker::SampleKind::before);
 }
 
 void LoadAccumulator::add(const WallContacts& sample) {
   const std::size_t block = block_of(sample.time);
   if (block != block_) close_block();
   block_ = block;
-  tracker_.begin_sample(sample.time, CollisionTracker::SampleKind::measured);
+  const auto& begun = follow(sample, CollisionTracker::SampleKind::measured);
   const double dt = measurement_.sample_interval;
-  for (const WallContact& contact : sample.contacts) {
-    check(contact, sample.time);
+  for (std::size_t i = 0; i < sample.contacts.size(); ++i) {
+    const WallContact& contact = sample.contacts[i];
+    const Place& place = places_[i];
     add_contact(record_.angles, angle_from_six_oclock(contact.point.x(), contact.point.z()),
                 contact.normal_force, block);
-    const Place place = place_of(contact, sample.mill_angle);
-    const double begins = tracker_.add(contact, liner_place(place)) ? 1.0 : 0.0;
+    const double begins = begun[i] ? 1.0 : 0.0;
     const double half_mass = 0.5 * begins * measurement_.class_mass[contact.particle_class];
     const double excess = std::max(contact.impact_speed - measurement_.excess_speed, 0.0);
     Amounts amounts;
@@ -147,7 +156,6 @@ void LoadAccumulator::add(const WallContacts& sample) {
         static_cast<Eigen::Index>(place.on_profile.arc_length * cells_per_metre_), cells - 1);
     block_sums_.col(static_cast<Eigen::Index>(contact.particle_class) * cells + cell) += amounts;
   }
-  tracker_.end_sample();
 }
 
 void LoadAccumulator::take_ended(const Collision& collision) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <vector>
 
 #include "mill/liner_profile.h"
 #include "mill/wall_contacts.h"
@@ -61,6 +62,7 @@ class LoadAccumulator {
   [[nodiscard]] std::size_t block_of(double time) const;
   [[nodiscard]] Place place_of(const WallContact& contact, double mill_angle) const;
   [[nodiscard]] LinerPlace liner_place(const Place& place) const;
+  const std::vector<bool>& follow(const WallContacts& sample, CollisionTracker::SampleKind kind);
   void check(const WallContact& contact, double time) const;
   void take_ended(const Collision& collision);
   void close_block();
@@ -72,6 +74,8 @@ class LoadAccumulator {
   LinerRecord record_;
   CollisionTracker::Take ended_;
   CollisionTracker tracker_;
+  std::vector<Place> places_;  ///< of the sample's contacts
+  std::vector<LinerPlace> liner_places_;
   std::size_t block_ = 0;
   /// Sums of the current block, a column a cell and class: all measures of a contact lie together.
   Eigen::Array<double, static_cast<int>(measure_count), Eigen::Dynamic> block_sums_;

@@ -195,6 +195,56 @@ TEST(LoadAccumulator, RanksAddUp) {
   EXPECT_EQ(twice.rejected[0], 2.0 * accumulator.finish().load.rejected[0]);
 }
 
+// What already lies there as the measurement begins is a contact, but no collision.
+TEST(LoadAccumulator, WhatTouchedBeforeIsNoNewCollision) {
+  std::vector<Collision> ended;
+  LoadAccumulator accumulator(square_lifter(), measurement,
+                              [&](const Collision& c) { ended.push_back(c); });
+  auto other = contact_at({0.0, 0.1}, 0, 0.0);
+  other.particle = 8;
+  accumulator.begin_with({0.0, 0.0, {contact_at({0.0, 0.1}, 0, 0.0)}});
+  accumulator.add({0.01, 0.0, {contact_at({0.0, 0.1}, 0, 0.0), other}});
+  accumulator.add({0.02, 0.0, {}});
+  const LinerRecord record = accumulator.finish();
+  EXPECT_EQ(sum(record.load, Measure::samples), 2.0);
+  EXPECT_EQ(sum(record.load, Measure::events), 1.0);
+  EXPECT_DOUBLE_EQ(sum(record.load, Measure::incident_energy), 0.5 * 2.0 * 0.4 * 0.4);
+  EXPECT_EQ(record.spectrum.unfinished[1], 1.0);
+  EXPECT_EQ(record.spectrum.normal_events.sum(), 1.0);
+  ASSERT_EQ(ended.size(), 2U);
+  EXPECT_EQ(ended[0].unfinished, Unfinished::began_before);
+  EXPECT_EQ(ended[1].particle, 8U);
+}
+
+// A ball that touches throughout four blocks of 0.5 s from 0.0 s on: fifty samples in each.
+TEST(LoadAccumulator, EveryBlockHasItsOwnSums) {
+  LoadAccumulator accumulator(square_lifter(), measurement);
+  for (int i = 0; i < 200; ++i)
+    accumulator.add({0.01 * i + 0.005, 0.0, {contact_at({0.0, 0.1}, 0, 0.0)}});
+  const LinerRecord record = accumulator.finish();
+  const Eigen::RowVectorXd by_block = record.load.by_block(Measure::samples).colwise().sum();
+  EXPECT_EQ(by_block, Eigen::RowVectorXd::Constant(4, 50.0));
+  EXPECT_EQ(record.angles.contacts.colwise().sum(), Eigen::RowVectorXd::Constant(4, 50.0));
+  EXPECT_EQ(record.load.by_block(Measure::events).colwise().sum(),
+            (Eigen::RowVectorXd(4) << 1.0, 0.0, 0.0, 0.0).finished());
+  EXPECT_EQ(record.spectrum.unfinished[1], 1.0);
+}
+
+TEST(LoadAccumulator, ACollisionOffTheProfileHasNoArcLength) {
+  std::vector<Collision> ended;
+  LoadAccumulator accumulator(square_lifter(), measurement,
+                              [&](const Collision& c) { ended.push_back(c); });
+  auto off = contact_at({0.0, 0.2}, 4, 0.0);
+  off.particle = 8;
+  accumulator.add({0.0, 0.0, {contact_at({0.0, 0.1}, 3, 0.0), off}});
+  accumulator.add({0.01, 0.0, {}});
+  ASSERT_EQ(ended.size(), 2U);
+  const auto& on = ended[ended[0].particle == 7 ? 0 : 1];
+  EXPECT_NEAR(on.arc_length, 0.5 * ProfileIndex(square_lifter(), 1e-3).length(), 1e-12);
+  EXPECT_EQ(on.row, 3);
+  EXPECT_EQ(ended[ended[0].particle == 7 ? 1 : 0].arc_length, -1.0);
+}
+
 TEST(LoadAccumulator, RefusesTooManyContactsOffTheProfile) {
   LoadAccumulator accumulator(square_lifter(), measurement);
   accumulator.add({0.0, 0.0, {contact_at({0.0, 0.1}, 0, 0.0), contact_at({0.0, 0.2}, 0, 0.0)}});
@@ -213,6 +263,10 @@ TEST(LoadAccumulator, RefusesTimesOutsideAndValuesThatAreNoNumbers) {
   EXPECT_THROW(accumulator.add({1.0, 0.0, {contact}}), ResultRejected);
   contact.particle_class = 1;
   contact.normal_force = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(accumulator.add({1.0, 0.0, {contact}}), ResultRejected);
+  EXPECT_THROW(accumulator.begin_with({0.0, 0.0, {contact}}), ResultRejected);
+  contact.normal_force = 1.0;
+  contact.impact_speed = std::numeric_limits<double>::infinity();
   EXPECT_THROW(accumulator.add({1.0, 0.0, {contact}}), ResultRejected);
 }
 

@@ -1,0 +1,96 @@
+#include "mill/contact_motion.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+namespace millwear {
+namespace {
+
+using Eigen::Vector3d;
+
+const Vector3d down{0.0, 0.0, -1.0};
+
+// A ball of 0.05 m that rolls along x at 1 m/s on a floor turns with 20 1/s about y, and the place
+// where it touches stands still.
+TEST(ContactMotion, ARollingBallDoesNotSlip) {
+  const auto motion = contact_motion(0.05 * down, 0.05, {1.0, 0.0, 0.0}, {0.0, 20.0, 0.0});
+  EXPECT_NEAR(motion.slip.norm(), 0.0, 1e-15);
+  EXPECT_EQ(motion.normal_speed, 0.0);
+  EXPECT_EQ(motion.impact_speed, 1.0);
+  EXPECT_EQ(motion.into_wall, down);
+}
+
+// Spinning on the spot with 20 1/s about y, its foot slips with 1 m/s against x.
+TEST(ContactMotion, ASpinningBallSlipsWithoutMoving) {
+  const auto motion = contact_motion(0.05 * down, 0.05, Vector3d::Zero(), {0.0, 20.0, 0.0});
+  EXPECT_NEAR((motion.slip - Vector3d(-1.0, 0.0, 0.0)).norm(), 0.0, 1e-15);
+  EXPECT_EQ(motion.impact_speed, 0.0);
+}
+
+TEST(ContactMotion, SpinAboutTheNormalSlipsNowhere) {
+  const auto motion = contact_motion(0.05 * down, 0.05, Vector3d::Zero(), {0.0, 0.0, 300.0});
+  EXPECT_EQ(motion.slip.norm(), 0.0);
+}
+
+// 3 m/s along, 4 m/s into the floor: 5 m/s; it closes with 4 m/s and slips with 3 m/s.
+TEST(ContactMotion, SplitsTheVelocityAlongAndIntoTheWall) {
+  const auto motion = contact_motion(0.05 * down, 0.05, {3.0, 0.0, -4.0}, Vector3d::Zero());
+  EXPECT_DOUBLE_EQ(motion.normal_speed, 4.0);
+  EXPECT_EQ(motion.slip, Vector3d(3.0, 0.0, 0.0));
+  EXPECT_DOUBLE_EQ(motion.impact_speed, 5.0);
+  EXPECT_DOUBLE_EQ(
+      contact_motion(0.05 * down, 0.05, {3.0, 0.0, 4.0}, Vector3d::Zero()).normal_speed, -4.0);
+}
+
+TEST(ContactMotion, SlipLiesInTheWall) {
+  const Vector3d arm(0.01, -0.02, 0.03);
+  const auto motion = contact_motion(arm, arm.norm(), {1.0, 2.0, 3.0}, {40.0, -50.0, 60.0});
+  EXPECT_NEAR(motion.slip.dot(arm), 0.0, 1e-15);
+}
+
+double power_at(double angle, double speed = 2.0, double force = 100.0) {
+  const Vector3d velocity = speed * Vector3d(std::cos(angle), 0.0, -std::sin(angle));
+  return finnie_power(velocity, 0.05 * down, -down, force);
+}
+
+// 2 f |v| F: at atan(1/4) sin(2a) = 8/17 and sin(a)^2 = 1/17, f = 5/17; at atan(1) f = 1/6; at 60
+// degrees f = 1/12.
+TEST(Finnie, MatchesItsClosedForm) {
+  EXPECT_NEAR(power_at(std::atan(0.25)), 2.0 * 5.0 / 17.0 * 2.0 * 100.0, 1e-12);
+  EXPECT_NEAR(power_at(std::atan(1.0)), 2.0 / 6.0 * 2.0 * 100.0, 1e-12);
+  EXPECT_NEAR(power_at(std::numbers::pi / 3.0), 2.0 / 12.0 * 2.0 * 100.0, 1e-12);
+}
+
+TEST(Finnie, IsNothingAlongTheWallAndStraightIntoIt) {
+  EXPECT_EQ(power_at(0.0), 0.0);
+  EXPECT_NEAR(power_at(0.5 * std::numbers::pi), 0.0, 1e-12);
+}
+
+// Both branches give f = 0.3 at tan(a) = 1/3.
+TEST(Finnie, IsContinuousWhereItsBranchesMeet) {
+  const double meet = std::atan(1.0 / 3.0);
+  EXPECT_NEAR(power_at(meet), 2.0 * 0.3 * 2.0 * 100.0, 1e-9);
+  EXPECT_NEAR(power_at(meet * (1.0 - 1e-12)), power_at(meet * (1.0 + 1e-12)), 1e-9);
+}
+
+TEST(Finnie, GrowsWithSpeedAndForce) {
+  EXPECT_NEAR(power_at(0.7, 4.0, 300.0), 6.0 * power_at(0.7, 2.0, 100.0), 1e-12);
+}
+
+TEST(Finnie, IsNothingWhileTheBallLeavesOrStands) {
+  EXPECT_EQ(power_at(-0.3), 0.0);
+  EXPECT_EQ(power_at(0.3, 0.0), 0.0);
+  EXPECT_EQ(power_at(0.3, 1e-8), 0.0);
+}
+
+TEST(Finnie, TakesTheWallsNormalEitherWay) {
+  const Vector3d velocity(1.0, 0.0, -1.0);
+  EXPECT_EQ(finnie_power(velocity, 0.05 * down, down, 10.0),
+            finnie_power(velocity, 0.05 * down, -down, 10.0));
+}
+
+}  // namespace
+}  // namespace millwear

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -13,6 +14,15 @@ namespace {
 
 /// Relative difference of computed and declared filling that is not worth a word.
 constexpr double filling_tolerance = 0.1;
+
+/// The first mechanism that counts collisions one by one, or nullptr.
+const WearMechanism* law_of_impacts(const Case& mill) {
+  const auto& all = mill.wear.mechanisms;
+  const auto found = std::find_if(all.begin(), all.end(), [](const WearMechanism& mechanism) {
+    return mechanism.law == WearLaw::incident_energy || mechanism.law == WearLaw::excess_energy;
+  });
+  return found == all.end() ? nullptr : &*found;
+}
 
 }  // namespace
 
@@ -54,6 +64,13 @@ std::vector<std::string> warnings(const Case& mill) {
                     "mm); {:.0f} or more would resolve single contacts",
                     bin * 1e3, 0.25 * smallest * 1e3,
                     std::ceil(arc_lengths(mill.liner).back() / (0.25 * smallest))));
+  }
+  if (const WearMechanism* const law = law_of_impacts(mill);
+      law != nullptr && mill.dem.sample_every_steps > 1) {
+    texts.push_back(fmt::format(
+        "the law `{}` counts collisions, and of the short ones some are missed (a sample every {} "
+        "steps); take `wall_contacts = \"recorder\"` with every step",
+        name_of(law->law), mill.dem.sample_every_steps));
   }
   return texts;
 }

@@ -81,7 +81,8 @@ TEST_F(SphereOnWall, DraggedWearsForceTimesDistance) {
     const Dumps dumps =
         run_sphere(mill, steps, resting(mill, -0.2 * velocity, velocity), drag_without_rolling);
     const WallLoad load = load_of(mill, steps, mill.liner, dumps);
-    const double expected = mill.wear.specific_wear_rate * sphere_mass * gravity * 0.2;
+    const double expected =
+        mill.wear.mechanisms.front().specific_wear_rate * sphere_mass * gravity * 0.2;
     RecordProperty("worn_share", fmt::format("{:.5f}", worn_volume(mill, load) / expected));
     EXPECT_NEAR(worn_volume(mill, load), expected, 0.01 * expected);
   }
@@ -102,7 +103,7 @@ TEST_F(SphereOnWall, HeldOnATurningWallWearsForceTimesDistance) {
     const double impulse =
         sphere_mass * (gravity * steps.measure_time() + rise(spins.back()) - rise(spins.front()));
     const double slip = mill.speed * 0.2 - spin * sphere_radius;
-    const double expected = mill.wear.specific_wear_rate * impulse * slip;
+    const double expected = mill.wear.mechanisms.front().specific_wear_rate * impulse * slip;
     RecordProperty(fmt::format("worn_share_at_{}_rad_per_s", spin),
                    fmt::format("{:.5f}", worn_volume(mill, load) / expected));
     EXPECT_NEAR(worn_volume(mill, load), expected, 0.01 * expected) << spin << " rad/s";
@@ -118,7 +119,7 @@ TEST_F(SphereOnWall, RolledWearsNothing) {
   Launch launch = resting(mill, -0.2 * velocity, velocity);
   launch.spin = Eigen::Vector3d::UnitZ().cross(velocity) / sphere_radius;
   const Dumps dumps = run_sphere(mill, steps, launch);
-  const double slid = mill.wear.specific_wear_rate * sphere_mass * gravity * 0.2;
+  const double slid = mill.wear.mechanisms.front().specific_wear_rate * sphere_mass * gravity * 0.2;
   const double with_spin = worn_volume(mill, load_of(mill, steps, mill.liner, dumps));
   const double without = worn_volume(mill, load_of(mill, steps, mill.liner, dumps, Spin::dropped));
   RecordProperty("worn_share", fmt::format("{:.6f}", with_spin / slid));

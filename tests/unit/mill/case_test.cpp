@@ -66,6 +66,10 @@ TEST(Warnings, EachOddityHasOne) {
   EXPECT_EQ(warnings(mill).size(), 3U);
   mill.charge.declared.total = 2.0 * filling_inside_plate(mill);
   EXPECT_EQ(warnings(mill).size(), 4U);
+  mill.wear.mechanisms.push_back({WearLaw::incident_energy, 1e-12});
+  EXPECT_EQ(warnings(mill).size(), 5U);
+  mill.dem.sample_every_steps = 1;
+  EXPECT_EQ(warnings(mill).size(), 4U);
 }
 
 }  // namespace

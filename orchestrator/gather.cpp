@@ -9,6 +9,7 @@
 #include "mill/case_warnings.h"
 #include "mill/time_step.h"
 #include "orchestrator/campaign.h"
+#include "orchestrator/impacts.h"
 #include "orchestrator/load_rate.h"
 #include "wear/load_store.h"
 
@@ -59,9 +60,7 @@ LoadLine rate_line(const WallLoad& load, Measure measure, const Eigen::ArrayXd& 
   return {as_vector(raw), as_vector(error), as_vector(smooth)};
 }
 
-LoadAlongProfile load_of_cycle(const Campaign& campaign, int cycle) {
-  const auto recorded =
-      wear::read_load(campaign.folder.stage({cycle, StageKind::dem}) / stage_files::load);
+LoadAlongProfile load_of_cycle(const Campaign& campaign, int cycle, const WallLoad& recorded) {
   const LoadRate rate = rate_of_load(campaign.mill, recorded);
   const auto& load = rate.load;
   const Eigen::VectorXd widths = load.bin_widths();
@@ -141,7 +140,10 @@ void add_cycle(const Campaign& campaign, int cycle, ReportData& data) {
   }
   data.conservation.push_back(balance);
   data.power.push_back(power_of_cycle(cycle, measured, mill.wear.time_blocks));
-  data.loads.push_back(load_of_cycle(campaign, cycle));
+  const auto recorded =
+      wear::read_record(campaign.folder.stage({cycle, StageKind::dem}) / stage_files::load);
+  data.loads.push_back(load_of_cycle(campaign, cycle, recorded.load));
+  data.impacts.push_back(impacts_of(cycle, recorded, mill));
 }
 
 Life life_from(const Campaign& campaign, const Ledger& ledger, const ReportData& data) {
@@ -189,6 +191,7 @@ ReportData gather(const Campaign& campaign, const Ledger& ledger) {
   data.height_limit = mill.campaign.height_limit;
   data.plate_limit = mill.campaign.plate_limit;
   data.warnings = warnings(mill);
+  data.energy_edges = as_vector(wear::energy_edges());
   for (int cycle = 0; ledger.find({cycle, StageKind::wear}) != nullptr; ++cycle)
     add_cycle(campaign, cycle, data);
   data.life = life_from(campaign, ledger, data);

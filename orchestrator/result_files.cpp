@@ -1,12 +1,14 @@
 #include "orchestrator/result_files.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "mill/case_lock.h"
 #include "mill/published_file.h"
 #include "orchestrator/campaign.h"
+#include "orchestrator/impacts.h"
 #include "orchestrator/report/plots.h"
 #include "orchestrator/report/report.h"
 #include "orchestrator/results/history.h"
@@ -32,8 +34,13 @@ std::string liggghts_version(const Campaign& campaign) {
   return start == std::string::npos ? "" : text.substr(start, text.find('\n', start) - start);
 }
 
+constexpr std::array result_names{"history.csv", "profiles.csv", "bins.h5", "spectra.csv"};
+
 json outputs_of(const Ledger& ledger, const RunFolder& folder) {
   json outputs = json::object();
+  for (const char* name : result_names)
+    outputs[(folder.results() / name).lexically_relative(folder.root).string()] =
+        hash_of_file(folder.results() / name);
   for (const auto& entry : ledger.entries)
     for (const auto& [name, hash] : entry.outputs)
       outputs[(folder.stage(entry.stage) / name).lexically_relative(folder.root).string()] = hash;
@@ -81,6 +88,18 @@ void publish_loads(const Campaign& campaign, const Ledger& ledger) {
                   [&](const fs::path& beside) { wear::write_loads(beside, loads); });
 }
 
+void publish_spectra(const Campaign& campaign, const Ledger& ledger) {
+  const auto names = class_names(campaign.mill);
+  std::vector<SpectrumRow> rows;
+  for (int cycle = 0; ledger.find({cycle, StageKind::wear}) != nullptr; ++cycle) {
+    const auto recorded =
+        wear::read_record(campaign.folder.stage({cycle, StageKind::dem}) / stage_files::load);
+    const auto found = spectrum_rows(cycle, recorded, names);
+    rows.insert(rows.end(), found.begin(), found.end());
+  }
+  publish(campaign.folder.results() / "spectra.csv", spectra_csv(rows));
+}
+
 }  // namespace
 
 void publish_results(const Campaign& campaign, const Ledger& ledger, const ReportData& data) {
@@ -89,6 +108,7 @@ void publish_results(const Campaign& campaign, const Ledger& ledger, const Repor
   publish(folder / "history.csv", history_csv(data.history));
   publish(folder / "profiles.csv", profiles_csv(data.profiles));
   publish_loads(campaign, ledger);
+  publish_spectra(campaign, ledger);
   publish(folder / "summary.json", summary_json(campaign, ledger, data));
 }
 

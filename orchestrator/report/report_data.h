@@ -51,6 +51,27 @@ struct PowerSeries {
   std::vector<double> power;  ///< mean over the block, of the simulated slice [W]
 };
 
+/// How often collisions of one kind dissipate how much. Rates are per second of the simulated
+/// slice.
+struct ImpactLine {
+  std::string name;  ///< particle class, or pair of materials
+  std::vector<double>
+      normal;  ///< collisions by energy normal to the contact, an energy class each [1/s]
+  std::vector<double> shear;  ///< by energy along the contact [1/s]
+  double events_per_second;
+  double normal_power;      ///< dissipated in these collisions, normal to the contact [W]
+  double shear_power;       ///< along it [W]
+  double unfinished_share;  ///< of all collisions, not seen whole and in none of the above [-]
+  double impact_speed;      ///< root mean square [m/s]; NaN where it is not known
+};
+
+/// The collisions of one cycle.
+struct Impacts {
+  int cycle;
+  std::vector<ImpactLine> liner;      ///< a line a particle class
+  std::vector<ImpactLine> particles;  ///< a line a pair of materials; empty where not recorded
+};
+
 /// What one cycle took from the liner against what its load accounts for.
 struct Conservation {
   int cycle;
@@ -77,6 +98,8 @@ struct ReportData {
   std::vector<HistoryRow> history;
   std::vector<ProfileRow> profiles;
   std::vector<LoadAlongProfile> loads;
+  std::vector<double> energy_edges;  ///< of the classes of `impacts` [J]
+  std::vector<Impacts> impacts;
   std::vector<PowerSeries> power;
   std::vector<Conservation> conservation;
   std::vector<MeasuredHeight> measured;

@@ -1,6 +1,10 @@
 #include "orchestrator/report/report_json.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "orchestrator/report/measured_charge.h"
 
@@ -74,6 +78,35 @@ Json json_of(const LoadAlongProfile& load) {
           {"depth_rate", json_of(load.depth_rate)}};
 }
 
+/// From the first class that is not empty to the last, with four digits.
+Json json_of_rates(const std::vector<double>& rates) {
+  const auto some = [](double rate) { return rate != 0.0; };
+  const auto first = std::find_if(rates.begin(), rates.end(), some);
+  const auto last = std::find_if(rates.rbegin(), rates.rend(), some).base();
+  Json shown = Json::array();
+  for (auto rate = first; rate < last; ++rate)
+    shown.push_back(std::stod(fmt::format("{:.4g}", *rate)));
+  return {{"first", first - rates.begin()}, {"rates", shown}};
+}
+
+Json json_of(const ImpactLine& line) {
+  return {{"name", line.name},
+          {"normal", json_of_rates(line.normal)},
+          {"shear", json_of_rates(line.shear)},
+          {"events_per_second", line.events_per_second},
+          {"normal_power", line.normal_power},
+          {"shear_power", line.shear_power},
+          {"unfinished_share", line.unfinished_share},
+          {"impact_speed", line.impact_speed}};
+}
+
+Json json_of(const Impacts& impacts) {
+  const auto line = [](const ImpactLine& one) { return json_of(one); };
+  return {{"cycle", impacts.cycle},
+          {"liner", array_of(impacts.liner, line)},
+          {"particles", array_of(impacts.particles, line)}};
+}
+
 Json json_of(const PowerSeries& series) {
   return {{"cycle", series.cycle}, {"time", series.time}, {"power", series.power}};
 }
@@ -121,6 +154,7 @@ std::string report_json(const ReportData& data) {
       {"height_limit", data.height_limit}, {"plate_limit", data.plate_limit},
       {"history", all(data.history)},      {"charges", all(measured_charges(data.history))},
       {"profiles", all(data.profiles)},    {"loads", all(data.loads)},
+      {"energy_edges", data.energy_edges}, {"impacts", all(data.impacts)},
       {"power", all(data.power)},          {"conservation", all(data.conservation)},
       {"measured", all(data.measured)},    {"warnings", data.warnings},
       {"provenance", all(data.provenance)}};

@@ -96,4 +96,15 @@ double CsvFields::number() {
 
 double CsvFields::degrees() { return number() / degrees_per_radian; }
 
+const std::string& CsvFields::text() { return line_.fields.at(next_++); }
+
+std::size_t CsvFields::one_of(std::span<const std::string_view> words) {
+  const std::string& word = text();
+  const auto found = std::find(words.begin(), words.end(), word);
+  if (found == words.end())
+    reject(path_, line_.number,
+           fmt::format("`{}` in column {} is none of: {}", word, next_, fmt::join(words, ", ")));
+  return static_cast<std::size_t>(found - words.begin());
+}
+
 }  // namespace millwear::orchestrator

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,6 +41,9 @@ class CsvFields {
   [[nodiscard]] int integer();
   [[nodiscard]] double number();   ///< NaN where the field is empty
   [[nodiscard]] double degrees();  ///< an angle written in degrees [rad]
+  [[nodiscard]] const std::string& text();
+  /// Which of the words it is; throws for any other.
+  [[nodiscard]] std::size_t one_of(std::span<const std::string_view> words);
 
  private:
   template <class Number>

@@ -53,13 +53,40 @@ function padded(extent, zero) {
   return [zero && low === 0 ? 0 : low - room, zero && high === 0 ? 0 : high + room];
 }
 
+/** Powers of ten in a span, no more than `count`. */
+function decades([low, high], count) {
+  const [first, last] = [Math.ceil(Math.log(low) / Math.LN10 - 1e-9), Math.floor(Math.log(high) / Math.LN10 + 1e-9)];
+  return d3.range(first, last + 1, Math.max(1, Math.ceil((last - first + 1) / count))).map((power) => Number("1e" + power));
+}
+
+/** A power of ten: 0.01 to 1000 as they are, others as 10⁴. */
+function powerText(value) {
+  const power = Math.round(Math.log(value) / Math.LN10);
+  return power >= -2 && power <= 3 ? d3.format(",")(value)
+    : "10" + String(power).replace(/[-0-9]/g, (digit) => digit === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[digit]);
+}
+
+/** Whole decades around all values. */
+function wholeDecades(values) {
+  const [low, high] = d3.extent(values).map((value) => Math.log(value) / Math.LN10);
+  const first = Math.floor(low + 1e-9);
+  return [first, Math.max(Math.ceil(high - 1e-9), first + 1)].map((power) => Number("1e" + power));
+}
+
 function axes(svg, frame, x, y, labels) {
-  const below = svg.append("g").attr("class", "axis").attr("transform", `translate(0,${frame.bottom})`)
-    .call(d3.svg.axis().scale(x).orient("bottom").ticks(Math.max(3, Math.floor((frame.right - frame.left) / 90)))
-      .tickSize(5, 0).tickPadding(6));
-  const upright = d3.svg.axis().scale(y).orient("left").ticks(Math.max(3, Math.floor((frame.bottom - frame.top) / 45)))
-    .tickSize(-(frame.right - frame.left), 0).tickPadding(8);
-  if (y.domain()[1] >= 1e5) upright.tickFormat(d3.format("s"));
+  const lying = d3.svg.axis().scale(x).orient("bottom").tickSize(5, 0).tickPadding(6);
+  const upright = d3.svg.axis().scale(y).orient("left").tickSize(-(frame.right - frame.left), 0).tickPadding(8);
+  const columns = Math.max(3, Math.floor((frame.right - frame.left) / 90));
+  const lines = Math.max(3, Math.floor((frame.bottom - frame.top) / 45));
+  if (labels.log) {
+    lying.tickValues(decades(x.domain(), columns)).tickFormat(labels.xText);
+    upright.tickValues(decades(y.domain(), lines)).tickFormat(powerText);
+  } else {
+    lying.ticks(columns);
+    upright.ticks(lines);
+    if (y.domain()[1] >= 1e5) upright.tickFormat(d3.format("s"));
+  }
+  const below = svg.append("g").attr("class", "axis").attr("transform", `translate(0,${frame.bottom})`).call(lying);
   const left = svg.append("g").attr("class", "axis").attr("transform", `translate(${frame.left},0)`).call(upright);
   for (const axis of [below, left])
     axis.selectAll("text").each(function () { this.textContent = this.textContent.replace("-", "−"); });
@@ -112,7 +139,8 @@ function follow(svg, frame, x, y, spec) {
 
 /**
  * A chart of lines and points. spec: name, x and value (axis labels), series [{name, colour, style, marks,
- * points: [{x, y, error}]}], rules [{y, text}], zero (y from 0), span (x from, to), place(x), text(point).
+ * points: [{x, y, error}]}], rules [{y, text}], zero (y from 0), span (x from, to), place(x), text(point); or log (both
+ * axes logarithmic, all values above 0) and xText(x).
  */
 function lineChart(container, spec) {
   const all = d3.merge(spec.series.map((series) => series.points)).filter((p) => known(p.x) && known(p.y));
@@ -123,12 +151,13 @@ function lineChart(container, spec) {
     const height = (spec.height || 270) + strip;
     const frame = {left: 52, right: width - 6, top: 24, bottom: height - 44 - strip};
     const svg = canvas(place, width, height, spec.name);
-    const x = d3.scale.linear().domain(spec.span || d3.extent(all, (p) => p.x)).range([frame.left, frame.right]);
+    const scale = spec.log ? d3.scale.log : d3.scale.linear;
+    const x = scale().domain(spec.span || d3.extent(all, (p) => p.x)).range([frame.left, frame.right]);
     const floor = spec.zero && d3.min(all, (p) => p.y) >= 0 ? 0 : -Infinity;
     const reach = d3.extent(d3.merge([all.map((p) => p.y + (p.error || 0)),
       all.map((p) => Math.max(floor, p.y - (p.error || 0))), (spec.rules || []).map((rule) => rule.y)]));
-    const y = d3.scale.linear().domain(padded(reach, spec.zero)).range([frame.bottom, frame.top]);
-    axes(svg, frame, x, y, {x: spec.x, value: spec.value, y: frame.bottom + strip + 38});
+    const y = scale().domain(spec.log ? wholeDecades(reach) : padded(reach, spec.zero)).range([frame.bottom, frame.top]);
+    axes(svg, frame, x, y, {x: spec.x, value: spec.value, y: frame.bottom + strip + 38, log: spec.log, xText: spec.xText});
     if (spec.strip) spec.strip.draw(svg, frame, x);
     for (const rule of spec.rules || []) {
       svg.append("line").attr({class: "rule", x1: frame.left, x2: frame.right, y1: y(rule.y), y2: y(rule.y)});

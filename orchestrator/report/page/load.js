@@ -5,7 +5,7 @@ const measures = [
   {id: "sliding-work-chart", key: "sliding_work", name: "Sliding work", unit: "W/m²"},
   {id: "depth-rate-chart", key: "depth_rate", name: "Rate of wear", unit: "mm per 1000 h", per: perThousandHours},
 ];
-const loadView = {index: 0, normalised: true, place: () => {}, leave: () => {}};
+const loadView = {normalised: true, place: () => {}, leave: () => {}};
 
 /** Arc lengths [m] where the outline turns sharply: the feet and corners of the lifter. */
 function corners(load) {
@@ -109,12 +109,9 @@ function drawLoadOnProfile(load) {
 }
 
 function drawLoad() {
-  const load = data.loads[loadView.index];
+  const load = data.loads[chosenCycle.index];
   for (const measure of measures) drawMeasure(load, measure);
   drawLoadOnProfile(load);
-  document.getElementById("load-cycle").value = loadView.index;
-  document.getElementById("previous-cycle").disabled = loadView.index === 0;
-  document.getElementById("next-cycle").disabled = loadView.index === data.loads.length - 1;
 }
 
 function startLoad() {
@@ -123,16 +120,10 @@ function startLoad() {
     document.querySelectorAll("#load figure").forEach((figure) => figure.remove());
     return;
   }
-  const choice = document.getElementById("load-cycle");
-  data.loads.forEach((load, i) =>
-    choice.append(element("option", {value: i}, `${load.cycle}, from ${hoursText(ageOfCycle(load.cycle))}`)));
-  const choose = (index) => { loadView.index = index; drawLoad(); };
-  choice.addEventListener("change", () => choose(Number(choice.value)));
-  document.getElementById("previous-cycle").addEventListener("click", () => choose(loadView.index - 1));
-  document.getElementById("next-cycle").addEventListener("click", () => choose(loadView.index + 1));
+  offerCycles("load");
   document.getElementById("load-normalised").addEventListener("change", (event) => {
     loadView.normalised = event.target.checked;
     drawLoad();
   });
-  drawLoad();
+  onCycle(drawLoad);
 }

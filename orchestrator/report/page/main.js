@@ -44,5 +44,6 @@ drawPowerSeries(at("power-series-chart"));
 drawAngle(at("shoulder-chart"), "Shoulder", "shoulder", "shoulder_error");
 drawAngle(at("toe-chart"), "Toe", "toe", "toe_error");
 startLoad();
+startImpacts();
 drawBins(at("bins-drawing"), at("bins-caption"));
 drawOriginalAndWorn(at("worn-drawing"), at("worn-caption"));

@@ -16,6 +16,6 @@ int main(int count, char** words) {
   }
   const std::filesystem::path folder = words[1];
   const auto data = orchestrator::synthetic_campaign(9, 4);
-  orchestrator::publish(folder / "report.html", orchestrator::report_html(data));
+  millwear::publish(folder / "report.html", orchestrator::report_html(data));
   orchestrator::write_plots(data, folder);
 }

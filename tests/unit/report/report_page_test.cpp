@@ -64,6 +64,20 @@ TEST_F(ReportPage, DrawsEveryProfileBinAndRow) {
   EXPECT_EQ(count_of(page, "NaN"), count_of(report_html(synthetic_campaign(3, 2)), "NaN"));
 }
 
+// Cycle 0 has 13 classes on the liner and three pairs of materials, each chart a line for them all.
+TEST_F(ReportPage, DrawsImpactsByClassAndByPairOfMaterials) {
+  const auto page = drawn(report_html(synthetic_campaign(3, 2)), folder);
+  const auto lines = [&](const std::string& chart) {
+    return count_of(part_between(page, "id=\"" + chart + "\"", "</svg>"), "class=\"series");
+  };
+  EXPECT_EQ(lines("liner-normal-chart"), 14u);
+  EXPECT_EQ(lines("liner-shear-chart"), 14u);
+  EXPECT_EQ(lines("particles-normal-chart"), 4u);
+  EXPECT_EQ(lines("particles-shear-chart"), 4u);
+  EXPECT_EQ(count_of(part_between(page, "id=\"impacts-table\"", "</section>"), "<tr"), 17u);
+  EXPECT_EQ(count_of(part_between(page, "id=\"impacts-cycle\"", "</select>"), "<option"), 3u);
+}
+
 // A campaign before its first result: the page still says what it is and draws nothing.
 TEST_F(ReportPage, OfAnEmptyCampaignSaysSo) {
   auto campaign = synthetic_campaign(0, 1);

@@ -35,6 +35,17 @@ std::string without_scripts(std::string page) {
   return page;
 }
 
+// Classes 2 and 4 of five: one of them empty between.
+TEST(Report, KeepsRatesFromTheFirstClassWithAnyToTheLast) {
+  auto campaign = synthetic_campaign(1, 1);
+  campaign.impacts[0].liner[0].normal = {0.0, 0.0, 1.23456, 0.0, 2.0, 0.0};
+  campaign.impacts[0].liner[0].shear = {0.0, 0.0};
+  const auto line = data_of(report_html(campaign, no_drawing))["impacts"][0]["liner"][0];
+  EXPECT_EQ(line["normal"]["first"], 2);
+  EXPECT_EQ(line["normal"]["rates"], (std::vector<double>{1.235, 0.0, 2.0}));
+  EXPECT_TRUE(line["shear"]["rates"].empty());
+}
+
 TEST(Report, HoldsEveryFigureOfTheCampaign) {
   const auto campaign = synthetic_campaign(3, 2);
   const auto json = data_of(report_html(campaign, no_drawing));
@@ -52,6 +63,11 @@ TEST(Report, HoldsEveryFigureOfTheCampaign) {
   ASSERT_EQ(json["loads"].size(), 3u);
   EXPECT_EQ(json["loads"][2]["contacts"]["raw"], campaign.loads[2].contacts.raw);
   EXPECT_EQ(json["loads"][2]["depth_rate"]["smoothed"], campaign.loads[2].depth_rate.smoothed);
+  ASSERT_EQ(json["impacts"].size(), 3u);
+  EXPECT_EQ(json["impacts"][0]["liner"].size(), 13u);
+  EXPECT_EQ(json["impacts"][0]["particles"][2]["name"], "ore on ore");
+  EXPECT_EQ(json["impacts"][1]["particles"].size(), 0u);
+  EXPECT_EQ(json["energy_edges"].size(), 141u);
   EXPECT_EQ(json["power"][1]["power"], campaign.power[1].power);
   EXPECT_EQ(json["conservation"].size(), 3u);
   EXPECT_EQ(json["warnings"], campaign.warnings);

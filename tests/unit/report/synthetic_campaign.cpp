@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -134,6 +135,44 @@ PowerSeries power_at(const HistoryRow& row, std::mt19937& random) {
   return series;
 }
 
+/// Collisions of one kind: a lognormal distribution of the energy around `middle` [J].
+ImpactLine impacts_around(const std::string& name, double rate, double middle, double speed) {
+  const auto spread = [&](double around) {
+    std::vector<double> rates;
+    for (int i = 0; i < 140; ++i) {
+      const double decades = -9.0 + 0.1 * (i + 0.5) - std::log10(around);
+      const double value = 0.05 * rate * std::exp(-0.35 * decades * decades);
+      rates.push_back(value > 2e-3 * std::sqrt(rate) ? value : 0.0);
+    }
+    return rates;
+  };
+  return {.name = name,
+          .normal = spread(middle),
+          .shear = spread(0.2 * middle),
+          .events_per_second = rate,
+          .normal_power = 4.0 * rate * middle,
+          .shear_power = 0.8 * rate * middle,
+          .unfinished_share = 0.012,
+          .impact_speed = speed};
+}
+
+Impacts impacts_at(double age, int cycle) {
+  constexpr std::array sizes{45.0, 52.0, 60.0, 67.5, 75.0, 90.0, 105.0, 125.0, 150.0, 180.0};
+  Impacts impacts{cycle, {}, {}};
+  for (const double size : {90.0, 105.0, 125.0})
+    impacts.liner.push_back(impacts_around(fmt::format("steel {:g} mm", size), 9e3 * 90.0 / size,
+                                           3e-3 * std::pow(size / 90.0, 3), 2.1 - 0.5 * age));
+  for (const double size : sizes)
+    impacts.liner.push_back(impacts_around(fmt::format("ore {:g} mm", size),
+                                           3e4 * std::pow(45.0 / size, 2),
+                                           2e-4 * std::pow(size / 45.0, 3), 1.6 - 0.4 * age));
+  if (cycle % 2 == 0)
+    impacts.particles = {impacts_around("steel on steel", 6e4, 5e-3, std::nan("")),
+                         impacts_around("steel on ore", 3e5, 1e-3, std::nan("")),
+                         impacts_around("ore on ore", 2e6, 1e-4, std::nan(""))};
+  return impacts;
+}
+
 }  // namespace
 
 ReportData synthetic_campaign(int cycles, int steps) {
@@ -156,6 +195,8 @@ ReportData synthetic_campaign(int cycles, int steps) {
       .history = {},
       .profiles = {},
       .loads = {},
+      .energy_edges = {},
+      .impacts = {},
       .power = {},
       .conservation = {},
       .measured = {{0, 0.215}, {5112, 0.088}, {5448, 0.084}, {6312, 0.056}, {7152, 0.030}},
@@ -168,8 +209,10 @@ ReportData synthetic_campaign(int cycles, int steps) {
                      {"Host", "node07"},
                      {"Seed", "15485863"},
                      {"Wall time", "31 h 12 min"}}};
+  for (int i = 0; i <= 140; ++i) data.energy_edges.push_back(std::pow(10.0, 0.1 * i - 9.0));
   for (int cycle = 0; cycle < cycles; ++cycle) {
     const double start = 1.0 * cycle / cycles;
+    data.impacts.push_back(impacts_at(start, cycle));
     data.loads.push_back(load_at(start, cycle, random));
     for (int step = cycle == 0 ? 0 : 1; step <= steps; ++step) {
       const double age = start + 1.0 * step / (cycles * steps);

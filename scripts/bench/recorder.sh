@@ -1,0 +1,52 @@
+#!/bin/sh
+# What recording costs: the seed mill as printed (26,765 particles), the same deck by turns with the
+# plain liggghts, with the recorder, and with the recorder writing a row a collision. Prints each
+# round and ends with the ratios of the run times and the seconds that writing the results takes.
+#   scripts/bench/recorder.sh [rounds] [steps] [ranks]      idle machine, a core a rank
+set -eu
+cd "$(dirname "$0")/../.."
+rounds=${1:-7} steps=${2:-1500} ranks=${3:-2}
+mixing=6000 settle=100
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+root=""; [ "$(id -u)" -ne 0 ] || root=--allow-run-as-root
+
+make -s build
+build/release/millwear deck cases/seed_mill_8m/case.toml --out "$work" --quiet >/dev/null
+sed -i "s/^run .*/run $mixing/" "$work/cycle_000/mix/deck.in"
+deck=$work/cycle_000/dem/deck.in
+awk -v settle=$settle -v steps="$steps" '/^run/ { n++; if (n == 1) print "run", settle;
+  if (n == 2) print "run", steps; next } /^# \.\.\. and from here/ { next } { print }' "$deck" >"$deck.short"
+
+mpi="mpirun -np $ranks --bind-to none $root"
+echo "mixing $mixing steps on $ranks ranks"
+(cd "$work/cycle_000/mix" && $mpi liggghts -in deck.in -log none >log)
+
+recorder=$PWD/build/release/millwear-recorder
+case=$PWD/cases/seed_mill_8m/case.toml
+record="$recorder --in deck.in.short --case $case --liner ../mesh/profile.csv --load load.h5
+  --after $settle --until $((settle + steps))"
+
+# seconds of the measuring run's loop, and of the whole program
+timed() {
+  start=$(date +%s.%N)
+  (cd "$work/cycle_000/dem" && $mpi "$@" >log)
+  end=$(date +%s.%N)
+  loop=$(awk '/^Loop time of/ { t = $4 } END { print t }' "$work/cycle_000/dem/log")
+  echo "$loop $(echo "$end $start" | awk '{ print $1 - $2 }')"
+}
+
+echo "round: seconds of $steps steps plain, recorded, with events; load $(cut -d' ' -f1 /proc/loadavg)"
+for round in $(seq "$rounds"); do
+  plain=$(timed liggghts -in deck.in.short -log none)
+  recorded=$(timed $record)
+  events=$(timed $record --events events.h5)
+  echo "$round $plain $recorded $events" | tee -a "$work/times" |
+    awk '{ printf "%d: %.2f  %.2f  %.2f\n", $1, $2, $4, $6 }'
+done
+
+middle() { sort -g | awk '{ v[NR] = $1 } END { print (v[int((NR + 1) / 2)] + v[int(NR / 2) + 1]) / 2 }'; }
+awk '{ print $4 / $2 }' "$work/times" | middle | awk '{ printf "recorded / plain      %.4f (median of pairs)\n", $1 }'
+awk '{ print $6 / $2 }' "$work/times" | middle | awk '{ printf "with events / plain   %.4f (median of pairs)\n", $1 }'
+awk '{ print ($5 - $4) - ($3 - $2) }' "$work/times" | middle | awk '{ printf "writing the load      %.2f s once a stretch\n", $1 }'
+awk '{ print ($7 - $6) - ($3 - $2) }' "$work/times" | middle | awk '{ printf "... and the events    %.2f s once a stretch\n", $1 }'

@@ -1,10 +1,13 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 
 #include "mill/case_file.h"
+#include "mill/case_lock.h"
 #include "mill/profile_csv.h"
 #include "orchestrator/cost_estimate.h"
+#include "orchestrator/measured.h"
 #include "orchestrator/mesh_facts.h"
 #include "orchestrator/stages.h"
 #include "orchestrator/verbs.h"
@@ -54,7 +57,11 @@ void deck_verb(const Command& command) {
   write_mesh(mill, mill.liner, folder_of(StageKind::mesh));
   write_mixing_deck(campaign, folder_of(StageKind::mix));
   write_measuring_deck(campaign, 0, folder_of(StageKind::dem));
+  write_file(campaign.folder.locked_case(), locked_case_text(mill));
   print_folder(command, campaign.folder.root, "the decks (cycle_000/mix, then cycle_000/dem) are");
+  if (command.form != OutputForm::json && mill.dem.contact_path == ContactPath::recorder)
+    fmt::print("cycle_000/dem is measured by: mpirun -np {} millwear-recorder --in deck.in {}\n",
+               campaign.ranks, fmt::join(recorder_arguments(mill), " "));
 }
 
 }  // namespace millwear::orchestrator

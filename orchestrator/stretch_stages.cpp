@@ -28,6 +28,7 @@ constexpr std::uintmax_t dump_bytes_per_particle = 200;
 
 const char* const mesh_from_stage = "../mesh/liner.stl";
 const char* const profile_from_stage = "../mesh/profile.csv";
+const char* const locked_case_from_stage = "../../case.lock.toml";
 
 std::string previous_restart(int cycle) {
   return cycle == 0 ? fmt::format("../mix/{}", names::restart)
@@ -121,19 +122,8 @@ Measured measured_from(const Case& mill, const liggghts::StretchSteps& steps,
 /// Runs the deck with the recorder, which leaves the load.
 void record(const Campaign& campaign, int cycle, const liggghts::StretchSteps& steps,
             const fs::path& into, Progress& progress) {
-  const auto& dem = campaign.mill.dem;
-  std::vector<std::string> arguments = {"--case",  fs::absolute(campaign.folder.locked_case()),
-                                        "--liner", profile_from_stage,
-                                        "--load",  stage_files::load,
-                                        "--after", std::to_string(steps.settle_steps),
-                                        "--until", std::to_string(steps.total()),
-                                        "--every", std::to_string(steps.sample_steps)};
-  if (dem.keep_events) arguments.insert(arguments.end(), {"--events", stage_files::events});
-  if (steps.pair_steps > 0)
-    arguments.insert(arguments.end(),
-                     {"--pairs-after", std::to_string(steps.total() - steps.pair_steps)});
   run_liggghts({into, campaign.ranks, step_follower(steps, progress),
-                RecorderProgram{recorder_program(), arguments}},
+                RecorderProgram{recorder_program(), recorder_arguments(campaign.mill)}},
                {});
   check_stretch(campaign, cycle, steps, into);
   if (!fs::exists(into / stage_files::load))
@@ -194,6 +184,21 @@ void write_measuring_deck(const Campaign& campaign, int cycle, const fs::path& i
   write_file(into / names::contact_model,
              liggghts::contact_model_deck(mill, steps, mesh_of(campaign, cycle),
                                           liggghts::StretchKind::measure, cycle));
+}
+
+std::vector<std::string> recorder_arguments(const Case& mill) {
+  const auto steps = liggghts::measuring_steps(mill, plan_steps(mill));
+  std::vector<std::string> arguments = {"--case",  locked_case_from_stage,
+                                        "--liner", profile_from_stage,
+                                        "--load",  stage_files::load,
+                                        "--after", std::to_string(steps.settle_steps),
+                                        "--until", std::to_string(steps.total()),
+                                        "--every", std::to_string(steps.sample_steps)};
+  if (mill.dem.keep_events) arguments.insert(arguments.end(), {"--events", stage_files::events});
+  if (steps.pair_steps > 0)
+    arguments.insert(arguments.end(),
+                     {"--pairs-after", std::to_string(steps.total() - steps.pair_steps)});
+  return arguments;
 }
 
 void mix_stage(const Campaign& campaign, const fs::path& into, Progress& progress) {

@@ -8,6 +8,8 @@
 #include <liggghts/tri_mesh.h>
 #include <liggghts/update.h>
 
+#include <algorithm>
+
 #include "mill/contact_motion.h"
 #include "mill/failure.h"
 #include "mill/profile_csv.h"
@@ -25,8 +27,10 @@ using LAMMPS_NS::LAMMPS;
 
 Vector3d at(double** values, int i) { return {values[i][0], values[i][1], values[i][2]}; }
 
+/// Before the first run deals the mesh out to the ranks, each rank holds all of it.
 std::size_t triangles_of(LAMMPS_NS::FixMeshSurface& mesh) {
-  return static_cast<std::size_t>(mesh.triMesh()->sizeGlobal());
+  auto& triangles = *mesh.triMesh();
+  return static_cast<std::size_t>(std::max(triangles.sizeGlobal(), triangles.sizeLocal()));
 }
 
 wear::LoadMeasurement measurement_of(const Case& mill, const RecordingPlan& plan, double time_step,

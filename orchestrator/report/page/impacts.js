@@ -18,13 +18,13 @@ function exceedances({first, rates}) {
   return points;
 }
 
-/** All lines of one kind together, as {first: 0, rates}. */
+/** All lines of one kind together, as {first, rates}. */
 function summed(lines, direction) {
   const rates = data.energy_edges.slice(1).map(() => 0);
   for (const line of lines)
     line[direction].rates.forEach((rate, i) => { rates[line[direction].first + i] += rate; });
-  const last = d3.max(d3.range(rates.length).filter((i) => rates[i] > 0));
-  return {first: 0, rates: rates.slice(0, last === undefined ? 0 : last + 1)};
+  const [first, last] = d3.extent(d3.range(rates.length).filter((i) => rates[i] > 0));
+  return first === undefined ? {first: 0, rates: []} : {first, rates: rates.slice(first, last + 1)};
 }
 
 /** Colours from light to dark rust for the lines of one kind, in their order. */

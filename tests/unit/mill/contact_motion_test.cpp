@@ -56,10 +56,11 @@ double power_at(double angle, double speed = 2.0, double force = 100.0) {
   return finnie_power(velocity, 0.05 * down, -down, force);
 }
 
-// 2 f |v| F: at atan(1/4) sin(2a) = 8/17 and sin(a)^2 = 1/17, f = 5/17; at atan(1) f = 1/6; at 60
-// degrees f = 1/12.
+// 2 f |v| F: at atan(1/4) sin(2a) = 8/17 and sin(a)^2 = 1/17, f = 5/17; at atan(2/5) cos(a)^2 =
+// 25/29, f = 25/87; at atan(1) f = 1/6; at 60 degrees f = 1/12.
 TEST(Finnie, MatchesItsClosedForm) {
   EXPECT_NEAR(power_at(std::atan(0.25)), 2.0 * 5.0 / 17.0 * 2.0 * 100.0, 1e-12);
+  EXPECT_NEAR(power_at(std::atan(0.4)), 2.0 * 25.0 / 87.0 * 2.0 * 100.0, 1e-12);
   EXPECT_NEAR(power_at(std::atan(1.0)), 2.0 / 6.0 * 2.0 * 100.0, 1e-12);
   EXPECT_NEAR(power_at(std::numbers::pi / 3.0), 2.0 / 12.0 * 2.0 * 100.0, 1e-12);
 }

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <tuple>
 
 #include "mill/failure.h"
@@ -20,20 +19,33 @@ Unfinished with(Unfinished flags, Unfinished more) {
   return static_cast<Unfinished>(static_cast<int>(flags) | static_cast<int>(more));
 }
 
-Collision begun(const WallContact& contact, const LinerPlace& place, double time) {
-  Collision collision{};
-  collision.start = time;
-  collision.arc_length = place.arc_length;
-  collision.axial_place = contact.point.y();
-  collision.impact_speed = contact.impact_speed;
-  collision.impact_angle =
-      contact.impact_speed > 0.0
-          ? std::asin(std::clamp(contact.impact_normal_speed / contact.impact_speed, 0.0, 1.0))
-          : 0.0;
-  collision.particle = static_cast<std::uint32_t>(contact.particle);
-  collision.particle_class = static_cast<std::uint32_t>(contact.particle_class);
-  collision.row = place.row;
-  return collision;
+double impact_angle(const WallContact& contact) {
+  return contact.impact_speed > 0.0
+             ? std::asin(std::clamp(contact.impact_normal_speed / contact.impact_speed, 0.0, 1.0))
+             : 0.0;
+}
+
+OpenCollision begun(const WallContact& contact, const LinerPlace& place, double time,
+                    CollisionTracker::SampleKind kind) {
+  OpenCollision fresh{};
+  fresh.so_far.start = time;
+  fresh.so_far.arc_length = place.arc_length;
+  fresh.so_far.axial_place = contact.point.y();
+  fresh.so_far.impact_speed = contact.impact_speed;
+  fresh.so_far.impact_angle = impact_angle(contact);
+  fresh.so_far.particle = static_cast<std::uint32_t>(contact.particle);
+  fresh.so_far.particle_class = static_cast<std::uint32_t>(contact.particle_class);
+  fresh.so_far.row = place.row;
+  if (kind == CollisionTracker::SampleKind::before)
+    fresh.so_far.unfinished = Unfinished::began_before;
+  std::copy_n(contact.into_wall.data(), 3, fresh.into_wall);
+  return fresh;
+}
+
+/// An order of one particle's contacts that does not depend on how they came.
+auto order_of(const WallContact& contact) {
+  return std::tuple(contact.particle, contact.triangle, contact.into_wall.x(),
+                    contact.into_wall.y(), contact.into_wall.z());
 }
 
 }  // namespace
@@ -42,18 +54,6 @@ CollisionTracker::CollisionTracker(std::size_t particles, double sample_interval
     : sample_interval_(sample_interval),
       ended_(std::move(ended)),
       first_of_particle_(particles + 1, 0) {}
-
-void CollisionTracker::sort_by_particle(std::span<const WallContact> contacts) {
-  order_.resize(contacts.size());
-  std::iota(order_.begin(), order_.end(), std::size_t{0});
-  const auto key = [&](std::size_t i) {
-    const WallContact& contact = contacts[i];
-    return std::tuple(contact.particle, contact.triangle, contact.into_wall.x(),
-                      contact.into_wall.y(), contact.into_wall.z());
-  };
-  std::sort(order_.begin(), order_.end(),
-            [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
-}
 
 std::size_t CollisionTracker::nearest_open(const WallContact& contact) const {
   std::size_t nearest = none;
@@ -79,25 +79,26 @@ const std::vector<bool>& CollisionTracker::add(double time, SampleKind kind,
                                                std::span<const WallContact> contacts,
                                                std::span<const LinerPlace> places) {
   ++sample_;
-  sort_by_particle(contacts);
-  collision_of_.resize(contacts.size());
   begins_.assign(contacts.size(), false);
-  for (const std::size_t i : order_) {
-    const WallContact& contact = contacts[i];
-    if (contact.particle == 0 || contact.particle >= first_of_particle_.size())
+  collision_of_.clear();
+  unmatched_.clear();
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    if (contacts[i].particle == 0 || contacts[i].particle >= first_of_particle_.size())
       throw ResultRejected(fmt::format("a wall contact of particle {}; the charge has {}",
-                                       contact.particle, first_of_particle_.size() - 1));
-    collision_of_[i] = nearest_open(contact);
+                                       contacts[i].particle, first_of_particle_.size() - 1));
+    collision_of_.push_back(nearest_open(contacts[i]));
+    if (collision_of_.back() == none) unmatched_.push_back(i);
+  }
+  std::ranges::sort(unmatched_, {}, [&](std::size_t i) { return order_of(contacts[i]); });
+  for (const std::size_t i : unmatched_) {
+    collision_of_[i] = nearest_open(contacts[i]);
     if (collision_of_[i] != none) continue;
-    OpenCollision fresh{};
-    fresh.so_far = begun(contact, places[i], time);
-    if (kind == SampleKind::before) fresh.so_far.unfinished = Unfinished::began_before;
-    std::copy_n(contact.into_wall.data(), 3, fresh.into_wall);
     collision_of_[i] = open_.size();
     begins_[i] = kind == SampleKind::measured;
-    open(fresh);
+    open(begun(contacts[i], places[i], time, kind));
   }
-  for (const std::size_t i : order_) add_to(open_[collision_of_[i]], contacts[i], time, kind);
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    add_to(open_[collision_of_[i]], contacts[i], time, kind);
   end_sample();
   return begins_;
 }

@@ -64,7 +64,6 @@ class CollisionTracker {
   [[nodiscard]] std::size_t open_count() const { return open_.size(); }
 
  private:
-  void sort_by_particle(std::span<const WallContact> contacts);
   [[nodiscard]] std::size_t nearest_open(const WallContact& contact) const;
   void open(const OpenCollision& collision);
   void add_to(OpenCollision& collision, const WallContact& contact, double time, SampleKind kind);
@@ -76,9 +75,9 @@ class CollisionTracker {
   std::vector<OpenCollision> open_;
   std::vector<std::uint32_t> first_of_particle_;  ///< by particle number, + 1; 0 for none
   std::int64_t sample_ = 0;
-  std::vector<std::size_t> order_;         ///< of the sample's contacts
-  std::vector<std::size_t> collision_of_;  ///< by contact
-  std::vector<bool> begins_;               ///< by contact
+  std::vector<std::size_t> collision_of_;  ///< by contact of the sample
+  std::vector<bool> begins_;               ///< by contact of the sample
+  std::vector<std::size_t> unmatched_;     ///< contacts that go on with no open collision
 };
 
 }  // namespace millwear::wear

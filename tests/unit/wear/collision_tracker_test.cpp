@@ -184,6 +184,7 @@ TEST(CollisionTracker, RefusesAParticleThatTheChargeDoesNotHave) {
   EXPECT_THROW(trial.add({touch(0, 0.0)}), ResultRejected);
   EXPECT_THROW(trial.add({touch(11, 0.0)}), ResultRejected);
 }
+
 /// Sums may differ in the last bit with the order in which they are taken.
 double rounded(double sum) { return std::round(sum * 1e10) / 1e10; }
 
@@ -200,6 +201,10 @@ std::vector<decltype(fields(Collision{}))> in_order(const std::vector<Collision>
   return all;
 }
 
+/// One of 36 angles around the ball, none as far from one as from another: a tie may fall either
+/// way.
+double uneven_angle(int i) { return degree * (10.0 * i + 3.0 * std::sin(1.7 * i * i)); }
+
 /// Samples of contacts of three particles anywhere around the ball, forces of either
 /// sign, a triangle at most once a particle.
 using Samples = std::vector<std::vector<WallContact>>;
@@ -212,7 +217,7 @@ rc::Gen<Samples> any_samples() {
         std::vector<WallContact> contacts;
         for (const auto& [place, force] : drawn) {
           contacts.push_back(touch(static_cast<std::size_t>(place.first),
-                                   10.0 * degree * place.second,
+                                   uneven_angle(place.second),
                                    static_cast<std::size_t>(place.second)));
           contacts.back().normal_force = force;
         }

@@ -4,7 +4,7 @@
 set -eu
 
 for_running="build-essential cmake ninja-build pkg-config
-  liggghts openmpi-bin
+  liggghts libliggghts-dev openmpi-bin libopenmpi-dev
   libgmsh-dev libgsl-dev libhdf5-dev libeigen3-dev libpolyclipping-dev libdxflib-dev
   libtomlplusplus-dev libcli11-dev libfmt-dev nlohmann-json3-dev libxxhash-dev
   gnuplot-nox libjs-d3"

@@ -26,8 +26,23 @@ fs::path spool_path(const fs::path& events, int rank) {
 }
 
 [[noreturn]] void refuse(const fs::path& path) {
-  throw DiskError(fmt::format("{}: {}", path.string(), std::strerror(errno)));
+  throw DiskError(fmt::format("{}: cannot be written or read ({}); is the disk full?",
+                              path.string(), std::strerror(errno)));
 }
+
+void remove_quietly(const fs::path& path) {
+  std::error_code ignored;
+  fs::remove(path, ignored);
+}
+
+/// The spools of all ranks, removed with this object.
+struct Spools {
+  const fs::path& events;
+  int ranks;
+  ~Spools() {
+    for (int rank = 0; rank < ranks; ++rank) remove_quietly(spool_path(events, rank));
+  }
+};
 
 /// Reads a spool from its start, a block at a time.
 class SpoolReader {
@@ -88,7 +103,9 @@ CollisionSpool::CollisionSpool(const fs::path& events, int rank)
 }
 
 CollisionSpool::~CollisionSpool() {
-  if (file_ != nullptr) std::fclose(file_);
+  if (file_ == nullptr) return;
+  std::fclose(file_);
+  remove_quietly(path_);
 }
 
 void CollisionSpool::add(const Collision& collision) {
@@ -104,11 +121,18 @@ void CollisionSpool::flush() {
 
 void CollisionSpool::close() {
   flush();
+  if (std::fflush(file_) != 0) refuse(path_);
   std::FILE* const file = std::exchange(file_, nullptr);
   if (std::fclose(file) != 0) refuse(path_);
 }
 
+void remove_old_collisions(const fs::path& events, int ranks) {
+  fs::remove(events);
+  for (int rank = ranks; fs::remove(spool_path(events, rank)); ++rank) continue;
+}
+
 void publish_collisions(const fs::path& events, int ranks) {
+  const Spools removed_at_the_end{events, ranks};
   publish_written(events, [&](const fs::path& beside) {
     std::vector<SpoolReader> spools;
     for (int rank = 0; rank < ranks; ++rank) spools.emplace_back(spool_path(events, rank));
@@ -116,7 +140,6 @@ void publish_collisions(const fs::path& events, int ranks) {
     merge(spools, writer);
     writer.close();
   });
-  for (int rank = 0; rank < ranks; ++rank) fs::remove(spool_path(events, rank));
 }
 
 }  // namespace millwear::recorder

@@ -5,6 +5,8 @@
 #include <liggghts/universe.h>
 #include <mpi.h>
 
+#include <algorithm>
+#include <array>
 #include <csignal>
 #include <cstdio>
 #include <fstream>
@@ -17,6 +19,8 @@
 #include "liggghts_build.h"
 #include "mill/case_file.h"
 #include "mill/failure.h"
+#include "recorder/build_check.h"
+#include "recorder/collision_spool.h"
 #include "recorder/deck_lines.h"
 #include "recorder/recording_plan.h"
 #include "recorder/stretch_recorder.h"
@@ -40,13 +44,31 @@ std::unique_ptr<LAMMPS_NS::LAMMPS> start_liggghts() {
                                              MPI_COMM_WORLD);
 }
 
-void check_build(const LAMMPS_NS::LAMMPS& liggghts) {
-  const std::string running = liggghts.universe->version;
-  if (running.find(liggghts_build) == std::string::npos)
-    throw ExternalProgramError(
-        fmt::format("millwear-recorder was built for {}, and this is {}; build it again (make "
-                    "build), or set wall_contacts = \"dumps\"",
-                    liggghts_build, running));
+/// Commands with which a deck does not run from its top to its bottom on one LIGGGHTS.
+bool leaves_the_way(std::string_view command) {
+  constexpr std::array<std::string_view, 7> commands = {"clear", "if",   "jump",     "label",
+                                                        "next",  "quit", "partition"};
+  return std::ranges::find(commands, command) != commands.end();
+}
+
+void check_folder_of(const std::filesystem::path& file) {
+  const auto folder = std::filesystem::absolute(file).parent_path();
+  if (!std::filesystem::is_directory(folder))
+    throw DiskError(
+        fmt::format("{}: there is no folder {} to write it into", file.string(), folder.string()));
+}
+
+/// What an earlier recording left must not be taken for the result of one that fails.
+void remove_old_results(const RecordingPlan& plan) {
+  check_folder_of(plan.load);
+  if (plan.events) check_folder_of(*plan.events);
+  int rank = 0;
+  int ranks = 1;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  if (rank != 0) return;
+  std::filesystem::remove(plan.load);
+  if (plan.events) remove_old_collisions(*plan.events, ranks);
 }
 
 /// LIGGGHTS on a deck, line by line, with the recorder hung in before the first run.
@@ -54,7 +76,7 @@ class RecordedDeck {
  public:
   explicit RecordedDeck(const RecordingPlan& plan)
       : plan_(plan), mill_(read_case(plan.mill)), liggghts_(start_liggghts()) {
-    check_build(*liggghts_);
+    check_build(liggghts_build, liggghts_->universe->version);
   }
 
   void run() {
@@ -69,11 +91,11 @@ class RecordedDeck {
       const auto command = command_of(line);
       if (command == "include")
         run_file(argument_of(line));
-      else if (command == "jump" || command == "label" || command == "next")
-        throw InputError(
-            fmt::format("{}: `{}`: the recorder runs a deck from top to bottom; write "
-                        "the deck without jumps, or set wall_contacts = \"dumps\"",
-                        file.string(), line));
+      else if (leaves_the_way(command))
+        throw InputError(fmt::format(
+            "{}: `{}`: the recorder runs a deck from top to bottom; write the deck without `{}`, "
+            "or set wall_contacts = \"dumps\"",
+            file.string(), line, command));
       else
         run_line(line);
     }
@@ -81,10 +103,19 @@ class RecordedDeck {
 
   void run_line(const std::string& line) {
     if (command_of(line) == "run") {
-      if (!recorder_) recorder_.emplace(*liggghts_, mill_, plan_);
+      if (!recorder_) begin_to_record();
       recorder_->before_run();
     }
     liggghts_->input->one(line.c_str());
+  }
+
+  void begin_to_record() {
+    try {
+      recorder_.emplace(*liggghts_, mill_, plan_);
+    } catch (const InputError& problem) {
+      throw InputError(
+          fmt::format("{} with {}: {}", plan_.deck.string(), plan_.mill.string(), problem.what()));
+    }
   }
 
   RecordingPlan plan_;
@@ -119,7 +150,9 @@ int main(int argc, char** argv) {
   heed_signals();
   MPI_Init(&argc, &argv);
   try {
-    RecordedDeck(recording_plan(arguments)).run();
+    const RecordingPlan plan = recording_plan(arguments);
+    remove_old_results(plan);
+    RecordedDeck(plan).run();
   } catch (const Failure& failure) {
     give_up(failure.what(), failure.exit_code);
   } catch (const std::exception& problem) {

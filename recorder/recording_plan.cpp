@@ -1,5 +1,7 @@
 #include "recorder/recording_plan.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 
 #include "mill/failure.h"
@@ -40,6 +42,10 @@ std::string recording_help() {
   return app.help();
 }
 
+long samples_of(const RecordingPlan& plan) {
+  return plan.last_step / plan.every_steps - plan.first_step / plan.every_steps;
+}
+
 RecordingPlan recording_plan(const std::vector<std::string>& arguments) {
   RecordingPlan plan{};
   CLI::App app;
@@ -50,7 +56,18 @@ RecordingPlan recording_plan(const std::vector<std::string>& arguments) {
     throw Failure(ExitCode::usage, std::string(problem.what()) + "; see --help");
   }
   if (plan.last_step <= plan.first_step)
-    throw Failure(ExitCode::usage, "--until has to lie after --after");
+    throw Failure(ExitCode::usage, fmt::format("--until {} has to lie after --after {}",
+                                               plan.last_step, plan.first_step));
+  if (samples_of(plan) == 0)
+    throw Failure(ExitCode::usage, fmt::format("--every {} gives no sample from --after {} to "
+                                               "--until {}",
+                                               plan.every_steps, plan.first_step, plan.last_step));
+  if (plan.pairs_after &&
+      (*plan.pairs_after < plan.first_step || *plan.pairs_after >= plan.last_step))
+    throw Failure(
+        ExitCode::usage,
+        fmt::format("--pairs-after {} has to lie from --after {} on and before --until {}",
+                    *plan.pairs_after, plan.first_step, plan.last_step));
   return plan;
 }
 

@@ -19,7 +19,11 @@ struct RecordingPlan {
   std::optional<long> pairs_after;              ///< collisions between particles from here on
 };
 
-/// Throws UsageError for an option that is unknown, missing or no number.
+/// Steps after the first up to the last that are multiples of `every_steps`.
+[[nodiscard]] long samples_of(const RecordingPlan& plan);
+
+/// Throws Failure (usage) for an option that is unknown, missing or no number, and for steps that
+/// do not fit.
 [[nodiscard]] RecordingPlan recording_plan(const std::vector<std::string>& arguments);
 
 /// The text of --help.

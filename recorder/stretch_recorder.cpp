@@ -73,7 +73,8 @@ StretchRecorder::StretchRecorder(LAMMPS& liggghts, const Case& mill, const Recor
                    (step % plan_.every_steps == 0 || step == plan_.first_step ||
                     (pairs_ && step > *plan_.pairs_after));
           },
-          [this](long step, const std::vector<WallTouch>& touches) { take_step(step, touches); }),
+          [this](long step, const std::vector<WallTouch>& touches) { take_step(step, touches); },
+          [this](long step, const WallTouch& touch) { take_standing(step, touch); }),
       class_of_number_(totals(mill).particles + 1, 0) {
   check_particles(liggghts, mill);
   if (plan.events) spool_.emplace(*plan.events, liggghts.comm->me);
@@ -81,6 +82,7 @@ StretchRecorder::StretchRecorder(LAMMPS& liggghts, const Case& mill, const Recor
 }
 
 void StretchRecorder::before_run() {
+  standing_.contacts.clear();
   if (!plan_.pairs_after || pairs_ || liggghts_.update->ntimestep != *plan_.pairs_after) return;
   keep_pair_forces(liggghts_);
   const double dt = liggghts_.update->dt;
@@ -158,7 +160,11 @@ void StretchRecorder::exchange_collisions(long step) {
 }
 
 void StretchRecorder::take_step(long step, const std::vector<WallTouch>& touches) {
+  if (!begun_ && step > plan_.first_step) begin_with_standing();
   exchange_collisions(step);
+  if (plan_.pairs_after && !pairs_ && step > *plan_.pairs_after)
+    throw InputError(fmt::format("--pairs-after {}: no `run` of the deck begins at that step",
+                                 *plan_.pairs_after));
   if (pairs_ && step > *plan_.pairs_after) take_pairs();
   if (step != plan_.first_step && step % plan_.every_steps != 0) return;
   const double dt = liggghts_.update->dt;
@@ -166,10 +172,28 @@ void StretchRecorder::take_step(long step, const std::vector<WallTouch>& touches
   sample_.mill_angle = mill_.speed * dt * static_cast<double>(step);
   sample_.contacts.clear();
   for (const auto& touch : touches) sample_.contacts.push_back(contact_from(touch));
-  if (step == plan_.first_step) return load_.begin_with(sample_);
-  if (samples_ == 0 && !touches.empty()) check_that_it_turns(touches.front());
+  if (!seen_turning_ && !touches.empty()) check_that_it_turns(touches.front());
+  seen_turning_ = seen_turning_ || !touches.empty();
+  if (step == plan_.first_step) {
+    begun_ = true;
+    return load_.begin_with(sample_);
+  }
   ++samples_;
   load_.add(sample_);
+}
+
+void StretchRecorder::take_standing(long step, const WallTouch& touch) {
+  if (begun_ || step != plan_.first_step) return;
+  const double dt = liggghts_.update->dt;
+  standing_.mill_angle = mill_.speed * dt * static_cast<double>(step);
+  standing_.contacts.push_back(contact_from(touch));
+}
+
+/// A run that begins with the measurement has no step before it whose contacts could be seen.
+void StretchRecorder::begin_with_standing() {
+  begun_ = true;
+  latest_step_ = plan_.first_step;
+  load_.begin_with(standing_);
 }
 
 void StretchRecorder::take_pairs() {
@@ -188,7 +212,7 @@ void StretchRecorder::take_pairs() {
 }
 
 void StretchRecorder::publish() {
-  const long wanted = plan_.last_step / plan_.every_steps - plan_.first_step / plan_.every_steps;
+  const long wanted = samples_of(plan_);
   if (samples_ != wanted)
     throw ResultRejected(
         fmt::format("the deck ended at step {} and gave {} samples of the wall contacts, not {}; "

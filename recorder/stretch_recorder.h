@@ -39,6 +39,8 @@ class StretchRecorder {
   [[nodiscard]] std::size_t class_of_particle(int particle) const;
   [[nodiscard]] bool left_this_rank(std::uint32_t particle) const;
   void check_that_it_turns(const WallTouch& touch) const;
+  void take_standing(long step, const WallTouch& touch);
+  void begin_with_standing();
 
   LAMMPS_NS::LAMMPS& liggghts_;
   Case mill_;
@@ -49,6 +51,9 @@ class StretchRecorder {
   std::optional<wear::PairTracker> pairs_;
   WallModule module_;
   WallContacts sample_{};
+  WallContacts standing_{};  ///< what touches where a run begins with the measurement
+  bool begun_ = false;
+  bool seen_turning_ = false;
   long samples_ = 0;
   long latest_step_ = 0;
   mutable std::vector<std::uint32_t>

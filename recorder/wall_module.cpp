@@ -16,10 +16,12 @@ Eigen::Vector3d vector_of(const double* values) { return {values[0], values[1], 
 
 WallModule::WallModule(LAMMPS_NS::LAMMPS& liggghts, LAMMPS_NS::FixMeshSurface& fix,
                        std::function<bool(long)> wants,
-                       std::function<void(long, const std::vector<WallTouch>&)> take)
+                       std::function<void(long, const std::vector<WallTouch>&)> take,
+                       std::function<void(long, const WallTouch&)> take_standing)
     : MeshModule(&liggghts, no_argument, 0, nullptr, &fix),
       wants_(std::move(wants)),
-      take_(std::move(take)) {}
+      take_(std::move(take)),
+      take_standing_(std::move(take_standing)) {}
 
 void WallModule::look_at_step() {
   if (update->ntimestep == step_) return;
@@ -37,12 +39,21 @@ Eigen::Vector3d WallModule::normal_of(int triangle) const {
 void WallModule::add_particle_contribution(int particle, double* on_particle, double* arm,
                                            int triangle, double* wall_velocity) {
   // A run sets up by computing the forces of the step before once more.
-  if (update->setupflag) return;
-  look_at_step();
-  if (!wanted_) return;
+  const bool standing = update->setupflag != 0;
+  if (!standing) look_at_step();
+  if (!standing && !wanted_) return;
   const Eigen::Vector3d wall = vector_of(wall_velocity);
-  touches_.push_back({particle, mesh->id(triangle), vector_of(arm), vector_of(on_particle), wall,
-                      vector_of(atom->v[particle]) - wall, normal_of(triangle)});
+  const WallTouch touch{particle,
+                        mesh->id(triangle),
+                        vector_of(arm),
+                        vector_of(on_particle),
+                        wall,
+                        vector_of(atom->v[particle]) - wall,
+                        normal_of(triangle)};
+  if (standing)
+    take_standing_(update->ntimestep, touch);
+  else
+    touches_.push_back(touch);
 }
 
 void WallModule::end_of_step() {

@@ -26,10 +26,12 @@ struct WallTouch {
 /// nothing in LIGGGHTS.
 class WallModule : public LAMMPS_NS::MeshModule {
  public:
-  /// `wants` tells which steps are to be collected, `take` gets them.
+  /// `wants` tells which steps are to be collected, `take` gets them. `take_standing` gets the
+  /// contacts one by one as a run finds them before its first step.
   WallModule(LAMMPS_NS::LAMMPS& liggghts, LAMMPS_NS::FixMeshSurface& fix,
              std::function<bool(long)> wants,
-             std::function<void(long, const std::vector<WallTouch>&)> take);
+             std::function<void(long, const std::vector<WallTouch>&)> take,
+             std::function<void(long, const WallTouch&)> take_standing);
 
   void add_particle_contribution(int particle, double* on_particle, double* arm, int triangle,
                                  double* wall_velocity) override;
@@ -41,6 +43,7 @@ class WallModule : public LAMMPS_NS::MeshModule {
 
   std::function<bool(long)> wants_;
   std::function<void(long, const std::vector<WallTouch>&)> take_;
+  std::function<void(long, const WallTouch&)> take_standing_;
   std::vector<WallTouch> touches_;
   long step_ = -1;
   bool wanted_ = false;

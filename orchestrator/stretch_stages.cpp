@@ -126,9 +126,12 @@ void record(const Campaign& campaign, int cycle, const liggghts::StretchSteps& s
                 RecorderProgram{recorder_program(), recorder_arguments(campaign.mill)}},
                {});
   check_stretch(campaign, cycle, steps, into);
-  if (!fs::exists(into / stage_files::load))
-    throw ResultRejected(fmt::format("{}: the recorder left no {}; see this log for why",
-                                     (into / names::log).string(), stage_files::load));
+  std::vector<const char*> files = {stage_files::load};
+  if (campaign.mill.dem.keep_events) files.push_back(stage_files::events);
+  for (const char* const file : files)
+    if (!fs::exists(into / file))
+      throw ResultRejected(fmt::format("{}: the recorder left no {}; see this log for why",
+                                       (into / names::log).string(), file));
 }
 
 /// Runs the deck with the plain liggghts and sums what it dumps.

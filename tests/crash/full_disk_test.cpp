@@ -77,16 +77,12 @@ TEST_F(FullDisk, IsSeenWhenItFillsDuringAStretch) {
   if (IsSkipped()) return;
   const StageName stage = "cycle_002/dem";
   ReferenceCampaign::get().copy_up_to(stage, campaign);
-  const TemporaryFolder programs;
-  const std::string path = std::getenv("PATH");
-  put_text(programs.path() / "mpirun",
-           "#!/bin/sh\n"
-           "dd if=/dev/zero of=../../ballast bs=4096 2>/dev/null\n"
-           "PATH='" +
-               path + "' exec mpirun \"$@\"\n");
-  fs::permissions(programs.path() / "mpirun", fs::perms::owner_all);
+  const TemporaryFolder folder;
+  const std::string path =
+      put_mpirun(folder.path() / "programs",
+                 "dd if=/dev/zero of=../../ballast bs=4096 2>/dev/null\nexec mpirun \"$@\"");
 
-  const Ended ended = millwear(run_into(campaign), {.path = programs.path().string() + ":" + path});
+  const Ended ended = millwear(run_into(campaign), {.path = path});
   EXPECT_EQ(ended.code, 6);
   EXPECT_THAT(ended.err, HasSubstr("cycle 2 dem: the disk is full"));
   expect_not_published(campaign, stage);

@@ -43,16 +43,18 @@ TEST_F(Killed, AtEveryStageInTurnItEndsInTheSameResults) {
   expect_resumes_to_the_same(campaign);
 }
 
+class KilledDuring : public Killed, public testing::WithParamInterface<StageName> {};
+
 // A LIGGGHTS that would run for hours without a word: no broken pipe ends it either.
-TEST_F(Killed, ItTakesLiggghtsWithIt) {
-  const std::string path = std::getenv("PATH");
-  put_text(folder.path() / "mpirun",
-           "#!/bin/sh\nsed -i 's/^run .*/run 1000000000/; s/^thermo .*/thermo 1000000000/' "
-           "deck.in\nPATH='" +
-               path + "' exec mpirun \"$@\"\n");
-  fs::permissions(folder.path() / "mpirun", fs::perms::owner_all);
-  MillwearProcess process(run_into(campaign), {.path = folder.path().string() + ":" + path});
-  const fs::path log = partial_of(campaign, "cycle_000/mix") / "liggghts.log";
+TEST_P(KilledDuring, ItTakesLiggghtsWithIt) {
+  const StageName stage = GetParam();
+  reference.copy_up_to(stage, campaign);
+  const std::string path =
+      put_mpirun(folder.path() / "programs",
+                 "sed -i 's/^run .*/run 1000000000/; s/^thermo .*/thermo 1000000000/' deck.in\n"
+                 "exec mpirun \"$@\"");
+  MillwearProcess process(run_into(campaign), {.path = path});
+  const fs::path log = partial_of(campaign, stage) / "liggghts.log";
   ASSERT_TRUE(process.wait_until([&] { return text_of(log).find("Step") != std::string::npos; }));
   EXPECT_EQ(processes_in(campaign).size(), 2u);
   process.send(SIGKILL);
@@ -60,6 +62,21 @@ TEST_F(Killed, ItTakesLiggghtsWithIt) {
   const auto survivors = survivors_in(campaign);
   EXPECT_THAT(survivors, IsEmpty());
   for (const int pid : survivors) ::kill(pid, SIGKILL);
+}
+
+INSTANTIATE_TEST_SUITE_P(Crash, KilledDuring, testing::Values("cycle_000/mix", "cycle_000/dem"),
+                         [](const auto& tested) { return tested.param.substr(10); });
+
+// Its spool of collisions shows that a stretch is being recorded.
+TEST_F(Killed, WhileItRecordsItEndsInTheSameResults) {
+  const StageName stage = "cycle_001/dem";
+  reference.copy_up_to(stage, campaign);
+  for (const int later_ms : {0, 50, 150}) {
+    SCOPED_TRACE(later_ms);
+    kill_when([&] { return fs::exists(partial_of(campaign, stage) / "events.h5.rank0"); },
+              milliseconds(later_ms));
+  }
+  expect_resumes_to_the_same(campaign);
 }
 
 // The stage is in its place but not yet in the ledger, or just so.
@@ -141,18 +158,31 @@ INSTANTIATE_TEST_SUITE_P(Crash, Stopped,
                                          Stop{SIGTERM, "cycle_002/dem"},
                                          Stop{SIGINT, "cycle_002/mesh"}));
 
-class Lost : public Killed, public testing::WithParamInterface<std::string> {};
+struct Loss {
+  std::string program;
+  StageName stage;
+};
+
+class LostRank : public Killed {
+ protected:
+  /// A process of a stage's stretch by that name, or 0.
+  [[nodiscard]] int process_named(const std::string& program) const {
+    for (const int pid : processes_in(campaign))
+      if (text_of("/proc/" + std::to_string(pid) + "/comm") == program + "\n") return pid;
+    return 0;
+  }
+};
+
+class Lost : public LostRank, public testing::WithParamInterface<Loss> {};
 
 // A rank or mpirun itself is killed, as by a kernel short of memory.
 TEST_P(Lost, IsSeenAndTheStageRunsAgain) {
-  const std::string& program = GetParam();
-  const StageName stage = "cycle_002/dem";
+  const auto& [program, stage] = GetParam();
   reference.copy_up_to(stage, campaign);
   MillwearProcess process(run_into(campaign));
   int victim = 0;
   ASSERT_TRUE(process.wait_until([&] {
-    for (const int pid : processes_in(campaign))
-      if (text_of("/proc/" + std::to_string(pid) + "/comm") == program + "\n") victim = pid;
+    victim = process_named(program);
     return victim != 0 && !text_of(partial_of(campaign, stage) / "liggghts.log").empty();
   }));
   ::kill(victim, SIGKILL);
@@ -164,7 +194,28 @@ TEST_P(Lost, IsSeenAndTheStageRunsAgain) {
   expect_resumes_to_the_same(campaign);
 }
 
-INSTANTIATE_TEST_SUITE_P(Crash, Lost, testing::Values("liggghts", "mpirun"));
+INSTANTIATE_TEST_SUITE_P(Crash, Lost,
+                         testing::Values(Loss{"liggghts", "cycle_000/mix"},
+                                         Loss{recorder_comm, "cycle_002/dem"},
+                                         Loss{"mpirun", "cycle_002/dem"}),
+                         [](const auto& tested) { return std::to_string(tested.index); });
+
+// A pipe that nobody reads, in the load's place, holds the recorder where it writes it.
+TEST_F(LostRank, WhileItWritesTheLoadTheStageRunsAgain) {
+  const StageName stage = "cycle_001/dem";
+  reference.copy_up_to(stage, campaign);
+  const std::string path =
+      put_mpirun(folder.path() / "programs", "mkfifo .load.partial.h5\nexec mpirun \"$@\"");
+  MillwearProcess process(run_into(campaign), {.path = path});
+  ASSERT_TRUE(
+      process.wait_until([&] { return fs::exists(partial_of(campaign, stage) / "events.h5"); }));
+  ::kill(process_named(recorder_comm), SIGKILL);
+  const Ended ended = process.wait();
+  EXPECT_EQ(ended.code, 5);
+  EXPECT_THAT(ended.err, HasSubstr("the recorder left no load.h5"));
+  expect_not_published(campaign, stage);
+  expect_resumes_to_the_same(campaign);
+}
 
 }  // namespace
 }  // namespace millwear::crash

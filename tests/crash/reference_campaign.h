@@ -8,6 +8,8 @@
 namespace millwear::crash {
 
 inline const std::string case_file = MILLWEAR_CRASH_CASE;
+inline const std::string recorder_comm =
+    "millwear-record";  ///< its name, as long as /proc gives it
 
 [[nodiscard]] std::string text_of(const std::filesystem::path& file);
 void put_text(const std::filesystem::path& file, const std::string& text);
@@ -32,11 +34,13 @@ using StageName = std::string;
 [[nodiscard]] std::filesystem::path partial_of(const std::filesystem::path& campaign,
                                                const StageName& stage);
 
-/// The campaign of crash_mill.toml, run once and undisturbed for all tests of a program.
+/// A campaign that was run once and undisturbed for all tests of a program.
 class ReferenceCampaign {
  public:
-  /// Runs it when first asked for.
+  /// That of crash_mill.toml; runs it when first asked for.
   static const ReferenceCampaign& get();
+  /// The same through the text dumps of the plain liggghts.
+  static const ReferenceCampaign& of_dumps();
 
   /// All stages in the order they ran.
   [[nodiscard]] std::vector<StageName> stages() const;
@@ -46,15 +50,22 @@ class ReferenceCampaign {
   void copy_to(const std::filesystem::path& campaign) const;
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] const std::filesystem::path& mill() const { return case_; }
 
  private:
-  ReferenceCampaign();
+  explicit ReferenceCampaign(const std::string& case_text);
   TemporaryFolder folder_;
   std::filesystem::path path_ = folder_.path() / "run";
+  std::filesystem::path case_ = folder_.path() / "crash_mill.toml";
 };
 
 /// The command that starts a campaign and resumes it.
-[[nodiscard]] std::vector<std::string> run_into(const std::filesystem::path& campaign);
+[[nodiscard]] std::vector<std::string> run_into(const std::filesystem::path& campaign,
+                                                const std::filesystem::path& mill = case_file);
+
+/// Puts an mpirun into a new folder that is a shell script, in which `mpirun` is the true one.
+/// Returns the PATH with which it is found first.
+std::string put_mpirun(const std::filesystem::path& folder, const std::string& script);
 
 /// Expects that the same command ends well now, and leaves what the undisturbed campaign left.
 void expect_resumes_to_the_same(const std::filesystem::path& campaign);

@@ -10,6 +10,8 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
+enum class ContactsBy { recorder, dumps };
+
 /// A run of LIGGGHTS that looks like a success and is none.
 struct StandIn {
   const char* name;
@@ -17,6 +19,7 @@ struct StandIn {
   const char* script;  ///< of an mpirun; `run` runs the real one
   const char* where;   ///< the file or stage that the message must name
   const char* why;     ///< that the message must say
+  ContactsBy contacts = ContactsBy::recorder;
 };
 
 void PrintTo(const StandIn& stand_in, std::ostream* out) { *out << stand_in.name; }
@@ -44,36 +47,43 @@ const StandIn stand_ins[] = {
      "too short for 32 particles"},
     {"cuts_a_row", "cycle_000/dem",
      "sed -i 's/contacts.dump/whole/' deck.in; run; head -c -9 whole > contacts.dump",
-     "contacts.dump", "ends inside the snapshot of step 3300"},
+     "contacts.dump", "ends inside the snapshot of step 3300", ContactsBy::dumps},
     {"drops_the_last_snapshot", "cycle_000/dem",
      "sed -i 's/contacts.dump/whole/' deck.in; run;"
      "head -n $(($(grep -n TIMESTEP whole | tail -1 | cut -d: -f1) - 1)) whole > contacts.dump",
-     "cycle 0 dem: ", "do not hold the same steps (step 3300)"},
+     "cycle 0 dem: ", "do not hold the same steps (step 3300)", ContactsBy::dumps},
     {"writes_no_dump", "cycle_000/dem", "sed -i 's/spins.dump/whole/' deck.in; run",
-     "cycle 0 dem: ", "do not hold the same steps"},
+     "cycle 0 dem: ", "do not hold the same steps", ContactsBy::dumps},
     {"writes_letters_for_numbers", "cycle_000/dem",
      "sed -i 's/contacts.dump/whole/' deck.in; run;"
      "sed '30s/^/x/' whole > contacts.dump",
-     "contacts.dump", "number"},
+     "contacts.dump", "number", ContactsBy::dumps},
     {"cuts_the_torque", "cycle_000/dem", "run; sed -i '$d' torque.txt; sed -i '$d' torque.txt",
      "torque.txt", "ends at step"},
+    {"records_less_than_it_was_told", "cycle_000/dem",
+     "sed -i '/^run .*[1-9]/d; /^print/i print \"stretch complete\"' deck.in; run", "liggghts.log",
+     "LIGGGHTS stopped: ERROR: "},
+    {"leaves_no_load", "cycle_000/dem", "run; rm load.h5", "liggghts.log",
+     "the recorder left no load.h5"},
+    {"leaves_no_events", "cycle_000/dem", "run; rm events.h5", "liggghts.log",
+     "the recorder left no events.h5"},
+    {"cuts_the_load", "cycle_000/dem", "run; truncate -s -999 load.h5", "load.h5", "damaged"},
 };
 
 class LiggghtsThat : public testing::TestWithParam<StandIn> {};
 
 TEST_P(LiggghtsThat, IsNotBelieved) {
-  const auto& [name, stage, script, where, why] = GetParam();
+  const auto& [name, stage, script, where, why, contacts] = GetParam();
   const TemporaryFolder folder;
   const fs::path campaign = folder.path() / "run";
-  const fs::path programs = folder.path() / "programs";
-  ReferenceCampaign::get().copy_up_to(stage, campaign);
-  fs::create_directory(programs);
-  const std::string path = std::getenv("PATH");
-  put_text(programs / "mpirun", "#!/bin/sh\narguments=\"$*\"\nrun() { PATH='" + path +
-                                    "' mpirun $arguments; }\n" + script + "\nexit 0\n");
-  fs::permissions(programs / "mpirun", fs::perms::owner_all);
+  const auto& reference =
+      contacts == ContactsBy::recorder ? ReferenceCampaign::get() : ReferenceCampaign::of_dumps();
+  reference.copy_up_to(stage, campaign);
+  const std::string path =
+      put_mpirun(folder.path() / "programs", "arguments=\"$*\"\nrun() { mpirun $arguments; }\n" +
+                                                 std::string(script) + "\nexit 0");
 
-  const Ended ended = millwear(run_into(campaign), {.path = programs.string() + ":" + path});
+  const Ended ended = millwear(run_into(campaign, reference.mill()), {.path = path});
   EXPECT_EQ(ended.code, 5);
   EXPECT_THAT(ended.err, AllOf(HasSubstr(where), HasSubstr(why)));
   expect_not_published(campaign, stage);

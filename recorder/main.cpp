@@ -22,6 +22,7 @@
 #include "recorder/build_check.h"
 #include "recorder/collision_spool.h"
 #include "recorder/deck_lines.h"
+#include "recorder/leak_check.h"
 #include "recorder/recording_plan.h"
 #include "recorder/stretch_recorder.h"
 
@@ -148,7 +149,10 @@ int main(int argc, char** argv) {
     return 0;
   }
   heed_signals();
-  MPI_Init(&argc, &argv);
+  {
+    const UncheckedForLeaks within_mpi;
+    MPI_Init(&argc, &argv);
+  }
   try {
     const RecordingPlan plan = recording_plan(arguments);
     remove_old_results(plan);
@@ -158,5 +162,6 @@ int main(int argc, char** argv) {
   } catch (const std::exception& problem) {
     give_up(fmt::format("internal error: {}", problem.what()), ExitCode::internal);
   }
+  check_for_leaks();
   MPI_Finalize();
 }

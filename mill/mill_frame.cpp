@@ -10,12 +10,16 @@ double angle_from_six_oclock(double x, double z) {
   return angle == -std::numbers::pi ? std::numbers::pi : angle;
 }
 
-MasterPoint to_master(const LinerSector& sector, double x, double z, double mill_angle) {
-  const double angle = angle_from_six_oclock(x, z) - mill_angle;
-  const double pitches = std::floor(angle / sector.pitch() + 0.5);
+MasterPoint to_master_from_polar(const LinerSector& sector, double radius, double angle,
+                                 double mill_angle) {
+  const double turned_back = angle - mill_angle;
+  const double pitches = std::floor(turned_back / sector.pitch() + 0.5);
   const double row = pitches - sector.rows * std::floor(pitches / sector.rows);
-  return {point_at(sector, std::hypot(x, z), angle - pitches * sector.pitch()),
-          static_cast<int>(row)};
+  return {point_at(sector, radius, turned_back - pitches * sector.pitch()), static_cast<int>(row)};
+}
+
+MasterPoint to_master(const LinerSector& sector, double x, double z, double mill_angle) {
+  return to_master_from_polar(sector, std::hypot(x, z), angle_from_six_oclock(x, z), mill_angle);
 }
 
 Eigen::Vector2d to_mill(const LinerSector& sector, const Eigen::Vector2d& point, int row,

@@ -23,6 +23,10 @@ struct MasterPoint {
 [[nodiscard]] MasterPoint to_master(const LinerSector& sector, double x, double z,
                                     double mill_angle);
 
+/// The same for a place at `radius` [m] from the axis and `angle` from six o'clock [rad].
+[[nodiscard]] MasterPoint to_master_from_polar(const LinerSector& sector, double radius,
+                                               double angle, double mill_angle);
+
 /// The place (x, z) [m] of a point of the master frame on lifter `row` at the mill's angle [rad].
 [[nodiscard]] Eigen::Vector2d to_mill(const LinerSector& sector, const Eigen::Vector2d& point,
                                       int row, double mill_angle);

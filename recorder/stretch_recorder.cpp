@@ -33,6 +33,8 @@ std::size_t triangles_of(LAMMPS_NS::FixMeshSurface& mesh) {
   return static_cast<std::size_t>(std::max(triangles.sizeGlobal(), triangles.sizeLocal()));
 }
 
+constexpr std::size_t most_waiting = 12;
+
 wear::LoadMeasurement measurement_of(const Case& mill, const RecordingPlan& plan, double time_step,
                                      std::size_t triangles) {
   return wear::load_measurement(mill,
@@ -75,6 +77,7 @@ StretchRecorder::StretchRecorder(LAMMPS& liggghts, const Case& mill, const Recor
           },
           [this](long step, const std::vector<WallTouch>& touches) { take_step(step, touches); },
           [this](long step, const WallTouch& touch) { take_standing(step, touch); }),
+      waiting_(most_waiting),
       class_of_number_(totals(mill).particles + 1, 0) {
   check_particles(liggghts, mill);
   if (plan.events) spool_.emplace(*plan.events, liggghts.comm->me);
@@ -95,7 +98,7 @@ std::size_t StretchRecorder::class_of_particle(int particle) const {
   const auto number = static_cast<std::size_t>(atom.tag[particle]);
   if (number >= class_of_number_.size())
     throw ResultRejected(fmt::format("a particle {} that the charge does not have", number));
-  std::uint32_t& known = class_of_number_[number];
+  std::uint16_t& known = class_of_number_[number];
   if (known == 0) {
     const auto material = static_cast<std::size_t>(atom.type[particle]) - 1;
     const auto found = class_of(mill_.charge.classes, material, 2.0 * atom.radius[particle]);
@@ -103,9 +106,9 @@ std::size_t StretchRecorder::class_of_particle(int particle) const {
       throw ResultRejected(
           fmt::format("a particle of radius {} m and atom type {} is of no class of the charge",
                       atom.radius[particle], atom.type[particle]));
-    known = static_cast<std::uint32_t>(*found) + 1;
+    known = static_cast<std::uint16_t>(*found + 1);
   }
-  return known - 1;
+  return static_cast<std::size_t>(known) - 1;
 }
 
 WallContact StretchRecorder::contact_from(const WallTouch& touch) const {
@@ -151,6 +154,7 @@ void StretchRecorder::exchange_collisions(long step) {
   const bool could_move = liggghts_.neighbor->lastcall > latest_step_;
   latest_step_ = step;
   if (!could_move || liggghts_.comm->nprocs == 1) return;
+  sum_waiting();
   const auto left = [this](std::uint32_t particle) { return left_this_rank(particle); };
   for (const auto& open : of_all_ranks(load_.collisions().release(left), liggghts_.world))
     if (!left_this_rank(open.so_far.particle)) load_.collisions().adopt(open);
@@ -168,18 +172,24 @@ void StretchRecorder::take_step(long step, const std::vector<WallTouch>& touches
   if (pairs_ && step > *plan_.pairs_after) take_pairs();
   if (step != plan_.first_step && step % plan_.every_steps != 0) return;
   const double dt = liggghts_.update->dt;
-  sample_.time = dt * static_cast<double>(step - plan_.first_step);
-  sample_.mill_angle = mill_.speed * dt * static_cast<double>(step);
-  sample_.contacts.clear();
-  for (const auto& touch : touches) sample_.contacts.push_back(contact_from(touch));
+  WallContacts& sample = waiting_[waiting_count_];
+  sample.time = dt * static_cast<double>(step - plan_.first_step);
+  sample.mill_angle = mill_.speed * dt * static_cast<double>(step);
+  sample.contacts.clear();
+  for (const auto& touch : touches) sample.contacts.push_back(contact_from(touch));
   if (!seen_turning_ && !touches.empty()) check_that_it_turns(touches.front());
   seen_turning_ = seen_turning_ || !touches.empty();
   if (step == plan_.first_step) {
     begun_ = true;
-    return load_.begin_with(sample_);
+    return load_.begin_with(sample);
   }
   ++samples_;
-  load_.add(sample_);
+  if (++waiting_count_ == waiting_.size()) sum_waiting();
+}
+
+void StretchRecorder::sum_waiting() {
+  for (std::size_t i = 0; i < waiting_count_; ++i) load_.add(waiting_[i]);
+  waiting_count_ = 0;
 }
 
 void StretchRecorder::take_standing(long step, const WallTouch& touch) {
@@ -218,6 +228,7 @@ void StretchRecorder::publish() {
         fmt::format("the deck ended at step {} and gave {} samples of the wall contacts, not {}; "
                     "its runs and --after, --until, --every do not fit",
                     liggghts_.update->ntimestep, samples_, wanted));
+  sum_waiting();
   auto mine = load_.finish();
   if (pairs_) mine.pairs = pairs_->finish();
   if (spool_) spool_->close();

@@ -87,8 +87,11 @@ std::size_t LoadAccumulator::block_of(double time) const {
 
 LoadAccumulator::Place LoadAccumulator::place_of(const WallContact& contact,
                                                  double mill_angle) const {
-  const auto master = to_master(sector_, contact.point.x(), contact.point.z(), mill_angle);
-  return {index_.nearest(master.position), master.row};
+  const double x = contact.point.x();
+  const double z = contact.point.z();
+  const double angle = angle_from_six_oclock(x, z);
+  const auto master = to_master_from_polar(sector_, std::sqrt(x * x + z * z), angle, mill_angle);
+  return {index_.nearest(master.position), master.row, angle};
 }
 
 LinerPlace LoadAccumulator::liner_place(const Place& place) const {
@@ -133,8 +136,7 @@ void LoadAccumulator::add(const WallContacts& sample) {
   for (std::size_t i = 0; i < sample.contacts.size(); ++i) {
     const WallContact& contact = sample.contacts[i];
     const Place& place = places_[i];
-    add_contact(record_.angles, angle_from_six_oclock(contact.point.x(), contact.point.z()),
-                contact.normal_force, block);
+    add_contact(record_.angles, place.angle_from_six, contact.normal_force, block);
     const double begins = begun[i] ? 1.0 : 0.0;
     const double half_mass = 0.5 * begins * measurement_.class_mass[contact.particle_class];
     const double excess = std::max(contact.impact_speed - measurement_.excess_speed, 0.0);

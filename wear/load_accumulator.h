@@ -56,6 +56,7 @@ class LoadAccumulator {
   struct Place {
     ProfilePlace on_profile;
     int row;
+    double angle_from_six;  ///< of the mill at rest [rad]
   };
   using Amounts = Eigen::Array<double, static_cast<int>(measure_count), 1>;
 

@@ -5,7 +5,7 @@
 #   scripts/bench/recorder.sh [rounds] [steps] [ranks]      idle machine, a core a rank
 set -eu
 cd "$(dirname "$0")/../.."
-rounds=${1:-7} steps=${2:-1500} ranks=${3:-2}
+rounds=${1:-25} steps=${2:-300} ranks=${3:-2}
 mixing=6000 settle=100
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -45,8 +45,14 @@ for round in $(seq "$rounds"); do
     awk '{ printf "%d: %.2f  %.2f  %.2f\n", $1, $2, $4, $6 }'
 done
 
-middle() { sort -g | awk '{ v[NR] = $1 } END { print (v[int((NR + 1) / 2)] + v[int(NR / 2) + 1]) / 2 }'; }
-awk '{ print $4 / $2 }' "$work/times" | middle | awk '{ printf "recorded / plain      %.4f (median of pairs)\n", $1 }'
-awk '{ print $6 / $2 }' "$work/times" | middle | awk '{ printf "with events / plain   %.4f (median of pairs)\n", $1 }'
-awk '{ print ($5 - $4) - ($3 - $2) }' "$work/times" | middle | awk '{ printf "writing the load      %.2f s once a stretch\n", $1 }'
-awk '{ print ($7 - $6) - ($3 - $2) }' "$work/times" | middle | awk '{ printf "... and the events    %.2f s once a stretch\n", $1 }'
+# median of a column of ratios, and the middle half of them
+middle() {
+  sort -g | awk '{ v[NR] = $1 } END { m = (v[int((NR + 1) / 2)] + v[int(NR / 2) + 1]) / 2
+    printf "%.4f (middle half %.3f to %.3f)\n", m, v[int(NR / 4) + 1], v[NR - int(NR / 4)] }'
+}
+printf 'recorded / plain     '; awk '{ print $4 / $2 }' "$work/times" | middle
+printf 'with events / plain  '; awk '{ print $6 / $2 }' "$work/times" | middle
+printf 'seconds to write the load, once a stretch    '
+awk '{ print ($5 - $4) - ($3 - $2) }' "$work/times" | middle
+printf '... and the events                           '
+awk '{ print ($7 - $6) - ($3 - $2) }' "$work/times" | middle

@@ -39,7 +39,11 @@ void write_measuring_deck(const Case& mill, const liggghts::StretchSteps& steps,
 
 }  // namespace
 
-Case small_mill() { return read_case(MILLWEAR_TRIAL_CASES "/small_mill.toml"); }
+Case small_mill(ContactPath path) {
+  Case mill = read_case(MILLWEAR_TRIAL_CASES "/small_mill.toml");
+  mill.dem.contact_path = path;
+  return mill;
+}
 
 Stretch mix(const Case& mill, const liggghts::StretchSteps& steps,
             const std::filesystem::path& folder, int ranks) {

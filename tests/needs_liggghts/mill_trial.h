@@ -12,7 +12,7 @@ struct Stretch {
 };
 
 /// The mill that makes a whole campaign in seconds: 120 balls, six lifters.
-[[nodiscard]] Case small_mill();
+[[nodiscard]] Case small_mill(ContactPath path);
 
 /// Changes the decks in a folder before they run.
 using ChangeDeck = std::function<void(const std::filesystem::path&)>;

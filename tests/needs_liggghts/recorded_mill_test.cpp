@@ -24,7 +24,7 @@ class RecordedMill : public ::testing::Test {
     return text_of(scratch_.stage(stage) / liggghts::file_names::restart);
   }
 
-  Case mill_ = small_mill();
+  Case mill_ = small_mill(ContactPath::recorder);
   const StepPlan plan_ = plan_steps(mill_);
   const ScratchFolder scratch_;
 };
@@ -46,7 +46,6 @@ void add_final_dump(const std::filesystem::path& folder) {
 // The recorder changes nothing: with it and without, two ranks end in the same particles to the
 // last bit, also where it keeps the forces between particles.
 TEST_F(RecordedMill, EndsInTheSameBitsAsWithoutTheRecorder) {
-  mill_.dem.contact_path = ContactPath::recorder;
   for (const long pair_steps : {0L, 1000L}) {
     const StretchSteps steps{plan_.time_step, 500, 2500, 1, pair_steps};
     const auto plain = scratch_.stage(fmt::format("plain{}", pair_steps));
@@ -78,6 +77,20 @@ TEST_F(RecordedMill, SeesWhatTheDumpsSee) {
     EXPECT_LT((mine - theirs).cwiseAbs().sum(), 2e-3 * mine.cwiseAbs().sum())
         << measure_names[index_of(measure)];
   }
+}
+
+// A collision lasts some twenty steps, so every second step finds as many of them as every step.
+TEST_F(RecordedMill, FindsAsManyCollisionsAtHalfTheResolutionInTime) {
+  const auto collisions = [&](long every) {
+    const StretchSteps steps{plan_.time_step, 500, 2 * plan_.steps_per_pitch, every};
+    const auto folder = scratch_.stage(fmt::format("every{}", every));
+    return sum(record(mill_, steps, mill_.liner, folder, "mix", 1).record.load, Measure::events);
+  };
+  const double all = collisions(1);
+  const double half = collisions(2);
+  RecordProperty("collisions", fmt::format("{} {}", all, half));
+  EXPECT_GT(all, 500.0);
+  EXPECT_NEAR(half, all, 0.02 * all);
 }
 
 }  // namespace

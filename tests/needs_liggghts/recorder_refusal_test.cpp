@@ -32,11 +32,7 @@ constexpr int bad_input = 3;
 constexpr int rejected = 5;
 constexpr int usage = 2;
 
-Case recorded_mill() {
-  Case mill = small_mill();
-  mill.dem.contact_path = ContactPath::recorder;
-  return mill;
-}
+Case recorded_mill() { return small_mill(ContactPath::recorder); }
 
 /// The small mill's mixed charge, made once for all tests.
 const ScratchFolder& mixed() {

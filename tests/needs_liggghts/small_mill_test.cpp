@@ -23,7 +23,7 @@ class SmallMill : public ::testing::Test {
     if (!liggghts_is_installed()) GTEST_SKIP() << "liggghts or mpirun is not installed";
   }
 
-  const Case mill_ = small_mill();
+  const Case mill_ = small_mill(ContactPath::dumps);
   const StepPlan plan_ = plan_steps(mill_);
   /// Two pitches of mixing; one of settling and one of measuring.
   const StretchSteps mixing_{plan_.time_step, 2 * plan_.steps_per_pitch, 0, 20};

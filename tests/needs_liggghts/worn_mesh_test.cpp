@@ -59,7 +59,7 @@ class WornMesh : public ::testing::Test {
 // After whole pitches a liner whose lifters lost 8 of their 25 mm takes the place of the new one:
 // the charge goes on as it was, and touches nothing where the new lifters stood.
 TEST_F(WornMesh, TakesThePlaceOfTheNewOneAfterWholePitches) {
-  const Case mill = small_mill();
+  const Case mill = small_mill(ContactPath::dumps);
   const auto plan = plan_steps(mill);
   const LinerProfile worn = lowered(mill.liner, 17.0 / 25.0);
   const ScratchFolder scratch;

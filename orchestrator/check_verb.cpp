@@ -40,12 +40,22 @@ nlohmann::json check_json(const Case& mill, int ranks) {
           {"rayleigh_time_s", shortest_rayleigh_time(mill)},
           {"time_step_s", plan.time_step},
           {"steps_per_revolution", plan.steps_per_revolution(mill.liner.sector.rows)},
+          {"wall_contacts", mill.dem.contact_path == ContactPath::recorder ? "recorder" : "dumps"},
+          {"sample_every_steps", mill.dem.sample_every_steps},
           {"mixing_steps", liggghts::mixing_steps(mill, plan).total()},
           {"steps_per_cycle", liggghts::measuring_steps(mill, plan).total()},
           {"ranks", ranks},
           {"mixing_seconds", cost.mixing},
           {"cycle_seconds", cost.per_cycle},
           {"warnings", warnings(mill)}};
+}
+
+std::string spoken_contact_path(const Case& mill) {
+  const int every = mill.dem.sample_every_steps;
+  const std::string when = every == 1 ? "every step" : fmt::format("every {} steps", every);
+  return mill.dem.contact_path == ContactPath::recorder
+             ? when + ", recorded from inside LIGGGHTS"
+             : when + ", sampled through the dumps of the plain liggghts";
 }
 
 void print_charge(const Case& mill) {
@@ -86,6 +96,7 @@ void print_check(const Case& mill, int ranks) {
              plan.steps_per_revolution(sector.rows), mixing.total(), measuring.total());
   fmt::print("  on {} ranks about {} to mix and {} a cycle (within a factor of three)\n", ranks,
              spoken_time(cost.mixing), spoken_time(cost.per_cycle));
+  fmt::print("  wall contacts {}\n", spoken_contact_path(mill));
   for (const auto& warning : warnings(mill)) fmt::print("Warning: {}\n", warning);
 }
 

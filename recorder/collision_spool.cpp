@@ -6,7 +6,6 @@
 #include <cerrno>
 #include <cstring>
 #include <limits>
-#include <tuple>
 #include <utility>
 
 #include "mill/failure.h"
@@ -73,8 +72,8 @@ class SpoolReader {
   std::size_t next_ = 0;
 };
 
-/// Takes the collisions that ended first off the spools, in an order that does not depend on which
-/// rank saw them.
+/// Takes the collisions that ended first off the spools; the writer brings them into an order that
+/// does not depend on which rank saw them.
 std::vector<Collision> next_to_end(std::vector<SpoolReader>& spools) {
   double end = std::numeric_limits<double>::infinity();
   for (const auto& spool : spools)
@@ -83,9 +82,6 @@ std::vector<Collision> next_to_end(std::vector<SpoolReader>& spools) {
   for (auto& spool : spools)
     for (; !spool.at_end() && spool.front().end == end; spool.pop())
       together.push_back(spool.front());
-  std::ranges::sort(together, {}, [](const Collision& c) {
-    return std::tuple(c.particle, c.start, c.arc_length);
-  });
   return together;
 }
 

@@ -77,6 +77,10 @@ double smallest_diameter(const Case& mill) {
   return std::min_element(classes.begin(), classes.end(), smaller)->diameter;
 }
 
+std::string_view name_of(ContactPath path) {
+  return path == ContactPath::recorder ? "recorder" : "dumps";
+}
+
 double mesh_tolerance(const Case& mill) {
   return mill.dem.mesh_tolerance * 0.5 * smallest_diameter(mill);
 }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mill/charge.h"
@@ -51,6 +52,9 @@ enum class ContactPath {
   recorder,  ///< every step, from inside LIGGGHTS, by millwear-recorder
   dumps,     ///< sampled, through text dumps of the plain liggghts
 };
+
+/// As the case file writes it.
+[[nodiscard]] std::string_view name_of(ContactPath path);
 
 struct DemSettings {
   double modulus_reduction;                 ///< the moduli are divided by this

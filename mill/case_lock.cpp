@@ -100,7 +100,7 @@ void write_dem(const DemSettings& dem, LockWriter& lock) {
   lock.key("mix_revolutions", dem.mix_revolutions);
   lock.key("settle_pitches", dem.settle_pitches);
   lock.key("measure_revolutions", dem.measure_revolutions);
-  lock.text("wall_contacts", dem.contact_path == ContactPath::recorder ? "recorder" : "dumps");
+  lock.text("wall_contacts", name_of(dem.contact_path));
   lock.key("sample_every_steps", dem.sample_every_steps);
   lock.key("ranks", dem.ranks);
   lock.key_if("skin_m", dem.skin);

@@ -40,7 +40,7 @@ nlohmann::json check_json(const Case& mill, int ranks) {
           {"rayleigh_time_s", shortest_rayleigh_time(mill)},
           {"time_step_s", plan.time_step},
           {"steps_per_revolution", plan.steps_per_revolution(mill.liner.sector.rows)},
-          {"wall_contacts", mill.dem.contact_path == ContactPath::recorder ? "recorder" : "dumps"},
+          {"wall_contacts", name_of(mill.dem.contact_path)},
           {"sample_every_steps", mill.dem.sample_every_steps},
           {"mixing_steps", liggghts::mixing_steps(mill, plan).total()},
           {"steps_per_cycle", liggghts::measuring_steps(mill, plan).total()},

@@ -23,15 +23,6 @@ std::vector<double> as_vector(const Eigen::VectorXd& values) {
   return {values.begin(), values.end()};
 }
 
-/// Standard error of the sum over blocks, by bin: sqrt(n) times the scatter of a block.
-Eigen::VectorXd error_of_total(const Eigen::MatrixXd& by_block) {
-  const auto blocks = static_cast<double>(by_block.cols());
-  if (by_block.cols() < 2) return Eigen::VectorXd::Constant(by_block.rows(), std::nan(""));
-  const Eigen::VectorXd mean = by_block.rowwise().mean();
-  return ((by_block.colwise() - mean).rowwise().squaredNorm() * (blocks / (blocks - 1.0)))
-      .cwiseSqrt();
-}
-
 std::vector<Eigen::Vector2d> places_on(const LinerProfile& profile, const Eigen::VectorXd& at) {
   const auto arc = arc_lengths(profile);
   std::vector<Eigen::Vector2d> places;
@@ -49,7 +40,6 @@ LoadLine rate_line(const WallLoad& load, Measure measure, const Eigen::ArrayXd& 
                    double resolution) {
   const Eigen::MatrixXd by_block = load.by_block(measure);
   const Eigen::VectorXd raw = load.total(measure).array() / divisor;
-  const Eigen::VectorXd error = error_of_total(by_block).array() / divisor;
   const Eigen::MatrixXd block_rates =
       (by_block.array().colwise() / divisor).matrix() * static_cast<double>(load.block_count);
   const Eigen::VectorXd positive = raw.cwiseMax(0.0);
@@ -57,7 +47,7 @@ LoadLine rate_line(const WallLoad& load, Measure measure, const Eigen::ArrayXd& 
       positive.sum() > 0.0
           ? wear::smoothed(load.bin_edges, positive, block_rates, resolution).rate.values
           : positive;
-  return {as_vector(raw), as_vector(error), as_vector(smooth)};
+  return {as_vector(raw), as_vector(error_of_mean(block_rates)), as_vector(smooth)};
 }
 
 LoadAlongProfile load_of_cycle(const Campaign& campaign, int cycle, const WallLoad& recorded) {

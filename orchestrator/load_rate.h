@@ -20,4 +20,7 @@ struct LoadRate {
 /// with contacts. Corrosion is the same everywhere and is added after the smoothing.
 [[nodiscard]] LoadRate rate_of_load(const Case& mill, const WallLoad& recorded);
 
+/// Standard error of the mean over the blocks (columns), by bin; NaN for fewer than two blocks.
+[[nodiscard]] Eigen::VectorXd error_of_mean(const Eigen::MatrixXd& by_block);
+
 }  // namespace millwear::orchestrator

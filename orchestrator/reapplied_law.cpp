@@ -79,14 +79,6 @@ LawOnCycle law_on_cycle(const Campaign& campaign, const Case& other, const Ledge
   return result;
 }
 
-Eigen::VectorXd error_of_mean(const Eigen::MatrixXd& by_block) {
-  const auto blocks = static_cast<double>(by_block.cols());
-  if (by_block.cols() < 2) return Eigen::VectorXd::Constant(by_block.rows(), unknown);
-  const Eigen::VectorXd mean = by_block.rowwise().mean();
-  return ((by_block.colwise() - mean).rowwise().squaredNorm() / (blocks * (blocks - 1.0)))
-      .cwiseSqrt();
-}
-
 }  // namespace
 
 LawOnLoad law_on_load(const Case& campaign, const Case& other, const WallLoad& recorded) {

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <utility>
 
 #include "orchestrator/load_rate.h"
@@ -40,6 +41,14 @@ LoadRate rate_of_load(const Case& mill, const WallLoad& recorded) {
     smoothed.moved_share *= raw.sum() / smoothed.rate.values.sum();
   }
   return {load, raw.array() + corrosion, std::move(smoothed)};
+}
+
+Eigen::VectorXd error_of_mean(const Eigen::MatrixXd& by_block) {
+  const auto blocks = static_cast<double>(by_block.cols());
+  if (by_block.cols() < 2) return Eigen::VectorXd::Constant(by_block.rows(), std::nan(""));
+  const Eigen::VectorXd mean = by_block.rowwise().mean();
+  return ((by_block.colwise() - mean).rowwise().squaredNorm() / (blocks * (blocks - 1.0)))
+      .cwiseSqrt();
 }
 
 Outcome wear_stage(const Campaign& campaign, int cycle, const std::filesystem::path& into) {

@@ -38,6 +38,36 @@ std::string by_pair(const Case& mill, Property property) {
   return fmt::format("{}", fmt::join(values, " "));
 }
 
+/// A contact may overlap the wall, and the mesh may stand out of the profile by its tolerance.
+std::string near_wall_radius(const Case& mill, const LinerProfile& worn) {
+  const double margin = 0.02 * largest_diameter(mill) + mesh_tolerance(mill);
+  return number(crest_radius(worn) - 0.5 * largest_diameter(mill) - margin);
+}
+
+std::string dump_computes(const Case& mill, const LinerProfile& worn) {
+  if (mill.dem.contact_path == ContactPath::recorder) return "";
+  return filled_template(dump_computes_template,
+                         {{"near_wall_radius_m", near_wall_radius(mill, worn)}});
+}
+
+std::string dumps(const Case& mill, const StretchSteps& steps) {
+  if (mill.dem.contact_path == ContactPath::recorder)
+    return "# millwear-recorder sees the wall contacts of the steps to come from inside.\n";
+  return filled_template(dumps_template, {{"sample_steps", fmt::format("{}", steps.sample_steps)},
+                                          {"contacts_file", file_names::contacts},
+                                          {"spins_file", file_names::spins}});
+}
+
+std::string measure_runs(const StretchSteps& steps) {
+  if (steps.pair_steps == 0) return fmt::format("run           {}", steps.measure_steps);
+  if (steps.pair_steps == steps.measure_steps)
+    return fmt::format("run           {}", steps.pair_steps);
+  return fmt::format(
+      "run           {}\n# ... and from here on the collisions between particles too.\n"
+      "run           {}",
+      steps.measure_steps - steps.pair_steps, steps.pair_steps);
+}
+
 }  // namespace
 
 double neighbour_skin(const Case& mill) {
@@ -89,40 +119,6 @@ std::string mixing_deck(const Case& mill, const StretchSteps& steps) {
        {"restart_file", file_names::restart},
        {"sentinel", std::string(sentinel)}});
 }
-
-namespace {
-
-/// A contact may overlap the wall, and the mesh may stand out of the profile by its tolerance.
-std::string near_wall_radius(const Case& mill, const LinerProfile& worn) {
-  const double margin = 0.02 * largest_diameter(mill) + mesh_tolerance(mill);
-  return number(crest_radius(worn) - 0.5 * largest_diameter(mill) - margin);
-}
-
-std::string dump_computes(const Case& mill, const LinerProfile& worn) {
-  if (mill.dem.contact_path == ContactPath::recorder) return "";
-  return filled_template(dump_computes_template,
-                         {{"near_wall_radius_m", near_wall_radius(mill, worn)}});
-}
-
-std::string dumps(const Case& mill, const StretchSteps& steps) {
-  if (mill.dem.contact_path == ContactPath::recorder)
-    return "# millwear-recorder sees the wall contacts of the steps to come from inside.\n";
-  return filled_template(dumps_template, {{"sample_steps", fmt::format("{}", steps.sample_steps)},
-                                          {"contacts_file", file_names::contacts},
-                                          {"spins_file", file_names::spins}});
-}
-
-std::string measure_runs(const StretchSteps& steps) {
-  if (steps.pair_steps == 0) return fmt::format("run           {}", steps.measure_steps);
-  if (steps.pair_steps == steps.measure_steps)
-    return fmt::format("run           {}", steps.pair_steps);
-  return fmt::format(
-      "run           {}\n# ... and from here on the collisions between particles too.\n"
-      "run           {}",
-      steps.measure_steps - steps.pair_steps, steps.pair_steps);
-}
-
-}  // namespace
 
 std::string measuring_deck(const Case& mill, const StretchSteps& steps, const LinerProfile& worn,
                            const std::string& previous_restart) {

@@ -25,6 +25,8 @@ namespace {
 using Eigen::Vector3d;
 using LAMMPS_NS::LAMMPS;
 
+constexpr std::size_t most_waiting = 12;
+
 Vector3d at(double** values, int i) { return {values[i][0], values[i][1], values[i][2]}; }
 
 /// Before the first run deals the mesh out to the ranks, each rank holds all of it.
@@ -32,8 +34,6 @@ std::size_t triangles_of(LAMMPS_NS::FixMeshSurface& mesh) {
   auto& triangles = *mesh.triMesh();
   return static_cast<std::size_t>(std::max(triangles.sizeGlobal(), triangles.sizeLocal()));
 }
-
-constexpr std::size_t most_waiting = 12;
 
 wear::LoadMeasurement measurement_of(const Case& mill, const RecordingPlan& plan, double time_step,
                                      std::size_t triangles) {

@@ -118,12 +118,6 @@ TEST_F(RecordedSphere, GrazingSlidesWithTheTrueFriction) {
   EXPECT_NEAR(0.3 * sum(recording, Measure::sliding_work), dissipated, 0.002 * dissipated);
 }
 
-Launch resting(const Case& mill, const Eigen::Vector3d& place, const Eigen::Vector3d& velocity) {
-  return {{place.x(), place.y(), floor_level + sphere_radius - resting_overlap(mill)},
-          velocity,
-          Eigen::Vector3d::Zero()};
-}
-
 // Held from rolling and dragged 0.2 m: sliding work m g s, of which friction dissipates mu; and no
 // impact, because it touches from before the first step.
 TEST_F(RecordedSphere, DraggedDissipatesFrictionTimesDistance) {

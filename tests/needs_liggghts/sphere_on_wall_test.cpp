@@ -22,12 +22,6 @@ class SphereOnWall : public ::testing::Test {
 /// Vertical speed of the only sphere in a snapshot of spins [m/s].
 double rise(const liggghts::Snapshot& spins) { return spins.row(0)[8]; }
 
-Launch resting(const Case& mill, const Eigen::Vector3d& place, const Eigen::Vector3d& velocity) {
-  return {{place.x(), place.y(), floor_level + sphere_radius - resting_overlap(mill)},
-          velocity,
-          Eigen::Vector3d::Zero()};
-}
-
 class DroppedSphere : public SphereOnWall, public ::testing::WithParamInterface<double> {};
 
 // A sphere that meets a plate with 1 m/s leaves it with e times that and has lost

@@ -81,6 +81,12 @@ double resting_overlap(const Case& mill) {
   return std::pow(0.75 * sphere_mass * gravity / (effective * std::sqrt(sphere_radius)), 2.0 / 3.0);
 }
 
+Launch resting(const Case& mill, const Eigen::Vector3d& place, const Eigen::Vector3d& velocity) {
+  return {{place.x(), place.y(), floor_level + sphere_radius - resting_overlap(mill)},
+          velocity,
+          Eigen::Vector3d::Zero()};
+}
+
 namespace {
 
 liggghts::StretchExpectation write_sphere_deck(const Case& mill,

@@ -32,6 +32,11 @@ inline constexpr double floor_level = -0.2;  ///< z of the square mill's lowest 
 ///     delta = (3 m g / (4 E* sqrt(R)))^(2/3),   E* = E / (2 (1 - nu^2)),  E = 2 G (1 + nu).
 [[nodiscard]] double resting_overlap(const Case& mill);
 
+/// The sphere at rest on the plate over (x, y) of `place`, without spin, moving with `velocity`
+/// [m/s].
+[[nodiscard]] Launch resting(const Case& mill, const Eigen::Vector3d& place,
+                             const Eigen::Vector3d& velocity);
+
 /// Deck lines that hold the sphere's spin at zero and its speed along the plate at what it is;
 /// up and down it stays free.
 inline constexpr const char* drag_without_rolling =

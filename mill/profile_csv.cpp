@@ -2,111 +2,39 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <iterator>
-#include <optional>
 #include <string>
 #include <string_view>
 
 #include "mill/case_text.h"
 #include "mill/failure.h"
 #include "mill/profile_ends.h"
+#include "mill/user_table.h"
 
 namespace millwear {
-namespace {
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) {
-    return {};
-  }
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
-std::vector<std::string_view> fields_of(std::string_view line) {
-  std::vector<std::string_view> fields;
-  for (std::size_t start = 0; start <= line.size();) {
-    const std::size_t comma = std::min(line.find(',', start), line.size());
-    fields.push_back(trimmed(line.substr(start, comma - start)));
-    start = comma + 1;
-  }
-  return fields;
-}
-
-struct Columns {
-  std::size_t xi;
-  std::size_t eta;
-  std::size_t count;
-};
-
-class ProfileReader {
- public:
-  explicit ProfileReader(const std::filesystem::path& file) : file_(file) {}
-
-  std::vector<Eigen::Vector2d> nodes_of(std::string_view text) {
-    std::vector<Eigen::Vector2d> nodes;
-    std::optional<Columns> columns;
-    while (!text.empty()) {
-      ++line_;
-      const std::size_t end = std::min(text.find('\n'), text.size());
-      const std::string_view line = trimmed(text.substr(0, std::min(end, text.find('#'))));
-      text.remove_prefix(std::min(end + 1, text.size()));
-      if (line.empty()) {
-        continue;
-      }
-      const auto fields = fields_of(line);
-      if (!columns) {
-        columns = columns_of(fields);
-        continue;
-      }
-      if (fields.size() != columns->count) {
-        fail(fmt::format("{} values where the header names {}; give one value a column",
-                         fields.size(), columns->count));
-      }
-      nodes.emplace_back(number(fields[columns->xi]), number(fields[columns->eta]));
-    }
-    if (!columns) {
-      fail("the profile is empty; its first line is `xi_m,eta_m`, then a node a line");
-    }
-    return nodes;
-  }
-
- private:
-  [[noreturn]] void fail(const std::string& what) const {
-    throw InputError(fmt::format("{}:{}: {}", file_.string(), std::max(line_, 1), what));
-  }
-
-  Columns columns_of(const std::vector<std::string_view>& header) const {
-    const auto find = [&](std::string_view name) {
-      const auto found = std::find(header.begin(), header.end(), name);
-      if (found == header.end()) {
-        fail(fmt::format("no column `{}` in the header; it reads `xi_m,eta_m`", name));
-      }
-      return static_cast<std::size_t>(found - header.begin());
-    };
-    return {find("xi_m"), find("eta_m"), header.size()};
-  }
-
-  double number(std::string_view text) const {
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
-      fail(fmt::format("`{}` is not a number (metres, such as 0.215); mend the value",
-                       text.substr(0, 40)));
-    }
-    return value;
-  }
-
-  std::filesystem::path file_;
-  int line_ = 0;
-};
-
-}  // namespace
 
 std::vector<Eigen::Vector2d> read_profile_nodes(const std::filesystem::path& file) {
-  return ProfileReader(file).nodes_of(read_text_file(file));
+  const UserTable table = user_table(read_text_file(file), file);
+  if (table.header.line == 0) {
+    refuse_line(file, 1,
+                "the profile is empty; its first line is `xi_m,eta_m`, then a node a line");
+  }
+  const auto column = [&](std::string_view name) {
+    const auto found = column_named(table, name);
+    if (!found) {
+      refuse_line(file, table.header.line,
+                  fmt::format("no column `{}` in the header; it reads `xi_m,eta_m`", name));
+    }
+    return *found;
+  };
+  const std::size_t xi = column("xi_m");
+  const std::size_t eta = column("eta_m");
+  constexpr std::string_view metres = "metres, such as 0.215";
+  std::vector<Eigen::Vector2d> nodes;
+  for (const UserRow& row : table.rows) {
+    nodes.emplace_back(number_in(table, row, xi, metres), number_in(table, row, eta, metres));
+  }
+  return nodes;
 }
 
 LinerProfile read_profile_csv(const std::filesystem::path& file, const LinerSector& sector) {

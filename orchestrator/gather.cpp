@@ -10,7 +10,7 @@
 #include "mill/time_step.h"
 #include "orchestrator/campaign.h"
 #include "orchestrator/impacts.h"
-#include "orchestrator/load_rate.h"
+#include "wear/load_rate.h"
 #include "wear/load_store.h"
 
 namespace millwear::orchestrator {
@@ -47,15 +47,15 @@ LoadLine rate_line(const WallLoad& load, Measure measure, const Eigen::ArrayXd& 
       positive.sum() > 0.0
           ? wear::smoothed(load.bin_edges, positive, block_rates, resolution).rate.values
           : positive;
-  return {as_vector(raw), as_vector(error_of_mean(block_rates)), as_vector(smooth)};
+  return {as_vector(raw), as_vector(wear::error_of_mean(block_rates)), as_vector(smooth)};
 }
 
 LoadAlongProfile load_of_cycle(const Campaign& campaign, int cycle, const WallLoad& recorded) {
-  const LoadRate rate = rate_of_load(campaign.mill, recorded);
+  const auto rate = wear::rate_of_load(campaign.mill, recorded);
   const auto& load = rate.load;
   const Eigen::VectorXd widths = load.bin_widths();
   const Eigen::VectorXd centres = load.bin_edges.head(load.bins()) + 0.5 * widths;
-  const double resolution = smoothing_resolution(campaign.mill);
+  const double resolution = wear::smoothing_resolution(campaign.mill);
   const Eigen::ArrayXd surface_time =
       load.bin_area().array() * static_cast<double>(load.rows) * load.duration;
   return {cycle,

@@ -11,10 +11,10 @@
 #include "orchestrator/campaign.h"
 #include "orchestrator/case_difference.h"
 #include "orchestrator/ledger.h"
-#include "orchestrator/load_rate.h"
 #include "orchestrator/measured.h"
 #include "orchestrator/stages.h"
 #include "wear/load_accumulator.h"
+#include "wear/load_rate.h"
 #include "wear/load_store.h"
 #include "wear/wear_law.h"
 
@@ -82,8 +82,8 @@ LawOnCycle law_on_cycle(const Campaign& campaign, const Case& other, const Ledge
 }  // namespace
 
 LawOnLoad law_on_load(const Case& campaign, const Case& other, const WallLoad& recorded) {
-  const LoadRate before = rate_of_load(campaign, recorded);
-  const LoadRate after = rate_of_load(other, recorded);
+  const auto before = wear::rate_of_load(campaign, recorded);
+  const auto after = wear::rate_of_load(other, recorded);
   const Eigen::VectorXd widths = before.load.bin_widths();
   LawOnLoad result{
       after.raw.dot(widths), before.raw.dot(widths), {}, distance(after.raw, before.raw, widths)};
@@ -136,7 +136,7 @@ std::vector<WearRateRow> wear_rates(const ReappliedLaw& law, const RunFolder& fo
     for (const auto& mechanism : law.other.wear.mechanisms) {
       const auto weights = wear::weights_of(mechanism, law.other.charge);
       const Eigen::VectorXd rate = wear::depth_rate(weights, load);
-      const Eigen::VectorXd error = error_of_mean(wear::depth_rate_by_block(weights, load));
+      const Eigen::VectorXd error = wear::error_of_mean(wear::depth_rate_by_block(weights, load));
       for (Eigen::Index bin = 0; bin < load.bins(); ++bin)
         rows.push_back({cycle.cycle, number, std::string(name_of(mechanism.law)),
                         static_cast<int>(bin), centres[bin], rate[bin], error[bin]});

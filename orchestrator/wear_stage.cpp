@@ -1,14 +1,11 @@
 #include <fmt/format.h>
 
-#include <cmath>
-#include <utility>
+#include <stdexcept>
 
-#include "orchestrator/load_rate.h"
 #include "orchestrator/stages.h"
 #include "wear/evolution.h"
-#include "wear/load_accumulator.h"
+#include "wear/load_rate.h"
 #include "wear/load_store.h"
-#include "wear/wear_law.h"
 
 namespace millwear::orchestrator {
 namespace {
@@ -27,35 +24,11 @@ Outcome outcome_from_end(wear::EvolutionEnd end) {
 
 }  // namespace
 
-double smoothing_resolution(const Case& mill) { return 0.5 * smallest_diameter(mill); }
-
-LoadRate rate_of_load(const Case& mill, const WallLoad& recorded) {
-  const auto load = wear::coarsened(recorded, static_cast<int>(recorded.bins()) / mill.wear.bins);
-  auto by_contact = wear::weights_of(mill);
-  const double corrosion = std::exchange(by_contact.corrosion, 0.0);
-  const Eigen::VectorXd raw = wear::depth_rate(by_contact, load);
-  auto smoothed = wear::smoothed(load.bin_edges, raw, wear::depth_rate_by_block(by_contact, load),
-                                 smoothing_resolution(mill));
-  if (corrosion > 0.0) {
-    smoothed.rate.values.array() += corrosion;
-    smoothed.moved_share *= raw.sum() / smoothed.rate.values.sum();
-  }
-  return {load, raw.array() + corrosion, std::move(smoothed)};
-}
-
-Eigen::VectorXd error_of_mean(const Eigen::MatrixXd& by_block) {
-  const auto blocks = static_cast<double>(by_block.cols());
-  if (by_block.cols() < 2) return Eigen::VectorXd::Constant(by_block.rows(), std::nan(""));
-  const Eigen::VectorXd mean = by_block.rowwise().mean();
-  return ((by_block.colwise() - mean).rowwise().squaredNorm() / (blocks * (blocks - 1.0)))
-      .cwiseSqrt();
-}
-
 Outcome wear_stage(const Campaign& campaign, int cycle, const std::filesystem::path& into) {
   const auto& mill = campaign.mill;
   const auto recorded =
       wear::read_load(campaign.folder.stage({cycle, StageKind::dem}) / stage_files::load);
-  const LoadRate rate = rate_of_load(mill, recorded);
+  const auto rate = wear::rate_of_load(mill, recorded);
   const auto evolution = wear::evolve(liner_of_cycle(campaign, cycle), rate.smoothed.rate,
                                       lifter_area(mill.liner), mill.campaign);
   KeptCycle kept{rate.smoothed.moved_share, rate.raw.dot(rate.load.bin_widths()), {}};

@@ -10,11 +10,11 @@
 #include "mill/mill_frame.h"
 #include "orchestrator/case_difference.h"
 #include "orchestrator/ledger.h"
-#include "orchestrator/load_rate.h"
 #include "orchestrator/measured.h"
 #include "tests/unit/mill/example_case.h"
 #include "tests/unit/orchestrator/temporary_folder.h"
 #include "wear/load_accumulator.h"
+#include "wear/load_rate.h"
 #include "wear/load_store.h"
 
 namespace millwear::orchestrator {
@@ -92,8 +92,8 @@ TEST(LawOnLoad, WithoutWearHasNoShares) {
 // exactly as much more than without it, and the volume is that of both.
 TEST(RateOfLoad, AddsCorrosionExactlyConstant) {
   const double corrosion = 2e-10;
-  const LoadRate alone = rate_of_load(mill_with({{WearLaw::archard, 1e-12}}), two_places());
-  const LoadRate both = rate_of_load(
+  const auto alone = wear::rate_of_load(mill_with({{WearLaw::archard, 1e-12}}), two_places());
+  const auto both = wear::rate_of_load(
       mill_with({{WearLaw::archard, 1e-12}, {WearLaw::corrosion, 0.0, corrosion}}), two_places());
   const Eigen::VectorXd expected = alone.smoothed.rate.values.array() + corrosion;
   EXPECT_EQ(both.smoothed.rate.values, expected);
@@ -105,7 +105,7 @@ TEST(RateOfLoad, AddsCorrosionExactlyConstant) {
 }
 
 TEST(RateOfLoad, TakesCorrosionAlone) {
-  const LoadRate rate = rate_of_load(mill_with({{WearLaw::corrosion, 0.0, 2e-10}}), two_places());
+  const auto rate = wear::rate_of_load(mill_with({{WearLaw::corrosion, 0.0, 2e-10}}), two_places());
   EXPECT_EQ(rate.smoothed.rate.values.minCoeff(), 2e-10);
   EXPECT_EQ(rate.smoothed.rate.values.maxCoeff(), 2e-10);
   EXPECT_EQ(rate.smoothed.moved_share, 0.0);

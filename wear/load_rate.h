@@ -3,13 +3,13 @@
 #include "mill/wall_load.h"
 #include "wear/smoothing.h"
 
-namespace millwear::orchestrator {
+namespace millwear::wear {
 
-/// A cycle's load as bins and as the loss of steel it stands for.
+/// A load as bins and as the loss of steel it stands for.
 struct LoadRate {
-  WallLoad load;                ///< on the case's bins
-  Eigen::VectorXd raw;          ///< depth rate of every bin [m/s]
-  wear::SmoothedLoss smoothed;  ///< the same, smoothed along the profile
+  WallLoad load;          ///< on the case's bins
+  Eigen::VectorXd raw;    ///< depth rate of every bin [m/s]
+  SmoothedLoss smoothed;  ///< the same, smoothed along the profile, with its errors
 };
 
 /// The load of one measurement is not resolved along the profile any finer than this [m]: the
@@ -17,10 +17,11 @@ struct LoadRate {
 [[nodiscard]] double smoothing_resolution(const Case& mill);
 
 /// Lays the case's bins on a recorded load, applies the wear law and smooths the loss that goes
-/// with contacts. Corrosion is the same everywhere and is added after the smoothing.
+/// with contacts. Corrosion is the same everywhere, has no error, and is added after the smoothing.
+/// Throws as `coarsened`, `depth_rate` and `smoothed` do.
 [[nodiscard]] LoadRate rate_of_load(const Case& mill, const WallLoad& recorded);
 
 /// Standard error of the mean over the blocks (columns), by bin; NaN for fewer than two blocks.
 [[nodiscard]] Eigen::VectorXd error_of_mean(const Eigen::MatrixXd& by_block);
 
-}  // namespace millwear::orchestrator
+}  // namespace millwear::wear

@@ -1,0 +1,35 @@
+#include "wear/load_rate.h"
+
+#include <cmath>
+#include <utility>
+
+#include "wear/load_accumulator.h"
+#include "wear/wear_law.h"
+
+namespace millwear::wear {
+
+double smoothing_resolution(const Case& mill) { return 0.5 * smallest_diameter(mill); }
+
+LoadRate rate_of_load(const Case& mill, const WallLoad& recorded) {
+  const auto load = coarsened(recorded, static_cast<int>(recorded.bins()) / mill.wear.bins);
+  auto by_contact = weights_of(mill);
+  const double corrosion = std::exchange(by_contact.corrosion, 0.0);
+  const Eigen::VectorXd raw = depth_rate(by_contact, load);
+  auto smooth = smoothed(load.bin_edges, raw, depth_rate_by_block(by_contact, load),
+                         smoothing_resolution(mill));
+  if (corrosion > 0.0) {
+    smooth.rate.values.array() += corrosion;
+    smooth.moved_share *= raw.sum() / smooth.rate.values.sum();
+  }
+  return {load, raw.array() + corrosion, std::move(smooth)};
+}
+
+Eigen::VectorXd error_of_mean(const Eigen::MatrixXd& by_block) {
+  const auto blocks = static_cast<double>(by_block.cols());
+  if (by_block.cols() < 2) return Eigen::VectorXd::Constant(by_block.rows(), std::nan(""));
+  const Eigen::VectorXd mean = by_block.rowwise().mean();
+  return ((by_block.colwise() - mean).rowwise().squaredNorm() / (blocks * (blocks - 1.0)))
+      .cwiseSqrt();
+}
+
+}  // namespace millwear::wear

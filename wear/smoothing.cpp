@@ -126,7 +126,7 @@ SmoothedLoss smoothed(const Eigen::VectorXd& bin_edges, const Eigen::VectorXd& r
   const double scale = rate.maxCoeff();
   const auto fit = fit_periodic_spline(rate / scale, weights_from(by_block), coefficients);
   const Eigen::ArrayXd loaded = loaded_places(rate);
-  Eigen::VectorXd after = fit.values.array().max(0.0) * loaded;
+  Eigen::VectorXd after = scale * fit.values.array().max(0.0) * loaded;
   if (!(after.sum() > 0.0)) throw ResultRejected("smoothing left nothing of the load");
   const double scaling = before / after.sum();
   after *= scaling;

@@ -72,17 +72,19 @@ TEST(SmoothingError, KeepsTheErrorOfTheTotal) {
   EXPECT_LT(loss.bias_modes.colwise().sum().norm(), 1e-12 * by_hand);
 }
 
-// A constant truth is smoothed over all 120 bins: the error is that of the total mean, and of the
-// single bin sqrt(120) times as large.
-TEST(SmoothingError, FallsAsSmoothingAverages) {
-  std::mt19937 random(3);
-  std::normal_distribution<double> noise(0.0, 0.3);
-  const Eigen::MatrixXd blocks =
-      Eigen::MatrixXd::NullaryExpr(bins, 100, [&](auto, auto) { return 3.0 + noise(random); });
-  const double error = standard_error(smoothed_mean(blocks)).mean();
-  const double of_a_bin = 0.3 / std::sqrt(100.0);
-  EXPECT_LT(error, 0.35 * of_a_bin);
-  EXPECT_GT(error, 0.9 * of_a_bin / std::sqrt(static_cast<double>(bins)));
+// Against the scatter of many measurements of the same load: the blocks' part is that of the noise.
+TEST(SmoothingError, IsTheScatterOfManyMeasurements) {
+  constexpr int measurements = 200;
+  Eigen::MatrixXd rates(bins, measurements);
+  Eigen::VectorXd variance = Eigen::VectorXd::Zero(bins);
+  for (int i = 0; i < measurements; ++i) {
+    const auto loss = smoothed_mean(noisy_blocks(20, static_cast<unsigned>(i)));
+    rates.col(i) = loss.rate.values;
+    variance += loss.block_modes.rowwise().squaredNorm() / measurements;
+  }
+  const Eigen::VectorXd mean = rates.rowwise().mean();
+  const double scatter = (rates.colwise() - mean).squaredNorm() / bins / (measurements - 1);
+  EXPECT_NEAR(variance.mean() / scatter, 1.0, 0.15);
 }
 
 TEST(SmoothingError, IsNoneWhereNothingTouched) {

@@ -81,6 +81,10 @@ std::string_view name_of(ContactPath path) {
   return path == ContactPath::recorder ? "recorder" : "dumps";
 }
 
+std::string_view name_of(Scheme scheme) {
+  return scheme == Scheme::adaptive ? "adaptive" : "threshold";
+}
+
 double mesh_tolerance(const Case& mill) {
   return mill.dem.mesh_tolerance * 0.5 * smallest_diameter(mill);
 }

@@ -84,13 +84,26 @@ struct WearSettings {
   double excess_speed;                    ///< v_0 of the excess kinetic energy of an impact [m/s]
 };
 
+/// How the next DEM is timed.
+enum class Scheme {
+  threshold,  ///< after a worn share of the lifter, the load standing still (the 2006 paper)
+  adaptive,   ///< second order in time, with the step set by the error of the last
+};
+
+/// As the case file writes it.
+[[nodiscard]] std::string_view name_of(Scheme scheme);
+
 /// When to run the DEM anew, and when to stop.
 struct CampaignSettings {
   double threshold;     ///< worn share of the new lifter's volume per DEM load
-  int steps_per_cycle;  ///< geometry steps in which that share is taken
+  int steps_per_cycle;  ///< geometry steps on one DEM load
   double height_limit;  ///< the liner is worn out at this lifter height [m]
   double plate_limit;   ///< ... or at this least plate thickness [m]
   int cycle_limit;      ///< stop after so many cycles
+  Scheme scheme = Scheme::threshold;
+  double step_tolerance = 0.002;  ///< adaptive: share of the new lifter's volume that one load may
+                                  ///< wear at the wrong place
+  double largest_share = 0.5;     ///< adaptive: ... that one load may wear at all
 };
 
 /// A mill as its owner describes it, complete and checked. SI units, angles in radians.

@@ -101,11 +101,15 @@ DemSettings build_dem(const CaseDocument& document) {
 CampaignSettings build_campaign(const CaseDocument& document) {
   const CaseTable& campaign = *document.find("campaign");
   const double plate_thickness = real_value(*document.find("lifter"), "plate_thickness_m");
-  return {.threshold = real_value(campaign, "threshold"),
-          .steps_per_cycle = integer_value(campaign, "steps_per_cycle"),
-          .height_limit = real_value(campaign, "height_limit_m"),
-          .plate_limit = optional_real(campaign, "plate_limit_m").value_or(0.1 * plate_thickness),
-          .cycle_limit = integer_value(campaign, "cycle_limit")};
+  return {
+      .threshold = real_value(campaign, "threshold"),
+      .steps_per_cycle = integer_value(campaign, "steps_per_cycle"),
+      .height_limit = real_value(campaign, "height_limit_m"),
+      .plate_limit = optional_real(campaign, "plate_limit_m").value_or(0.1 * plate_thickness),
+      .cycle_limit = integer_value(campaign, "cycle_limit"),
+      .scheme = text_value(campaign, "scheme") == "adaptive" ? Scheme::adaptive : Scheme::threshold,
+      .step_tolerance = real_value(campaign, "step_tolerance"),
+      .largest_share = real_value(campaign, "largest_share")};
 }
 
 double build_speed(const CaseDocument& document, const LinerSector& sector, double largest_diameter,

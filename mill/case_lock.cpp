@@ -152,8 +152,10 @@ void write_wear(const Case& mill, LockWriter& lock) {
 
 void write_campaign(const CampaignSettings& campaign, LockWriter& lock) {
   lock.table("[campaign]");
-  lock.text("scheme", "threshold");
+  lock.text("scheme", name_of(campaign.scheme));
   lock.key("threshold", campaign.threshold);
+  lock.key("step_tolerance", campaign.step_tolerance);
+  lock.key("largest_share", campaign.largest_share);
   lock.key("steps_per_cycle", campaign.steps_per_cycle);
   lock.key("height_limit_m", campaign.height_limit);
   lock.key("plate_limit_m", campaign.plate_limit);

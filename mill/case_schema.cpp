@@ -186,12 +186,18 @@ constexpr KeySpec keys[] = {
     {"wear.mechanisms", "largest_diameter_m", real, optional, "", positive, "",
      "only particles of this diameter and less [m]"},
 
-    {"campaign", "scheme", choice, defaulted, "\"threshold\"", any, "threshold",
-     "how the next DEM is timed"},
+    {"campaign", "scheme", choice, defaulted, "\"threshold\"", any, "threshold|adaptive",
+     "how the next DEM is timed: after a worn `threshold` (the 2006 paper), or by the error of the "
+     "last step"},
     {"campaign", "threshold", real, defaulted, "0.15", above_up_to(0.0, 1.0), "",
-     "worn share of the new lifter's volume per DEM load [-]"},
+     "worn share of the new lifter's volume per DEM load (with `threshold`) [-]"},
+    {"campaign", "step_tolerance", real, defaulted, "0.002", above_up_to(0.0, 0.5), "",
+     "share of the new lifter's volume that one DEM load may wear at the wrong place (with "
+     "`adaptive`) [-]"},
+    {"campaign", "largest_share", real, defaulted, "0.5", above_up_to(0.0, 10.0), "",
+     "share of the new lifter's volume that one DEM load may wear at all (with `adaptive`) [-]"},
     {"campaign", "steps_per_cycle", integer, defaulted, "5", between(1, 1000), "",
-     "geometry steps in which that share is taken"},
+     "geometry steps on one DEM load"},
     {"campaign", "height_limit_m", real, required, "", at_least(0.0), "",
      "the liner is worn out at this lifter height [m]"},
     {"campaign", "plate_limit_m", real, optional, "", at_least(0.0), "",

@@ -56,6 +56,17 @@ LinerProfile liner_of_cycle(const Campaign& campaign, int cycle) {
   return read_cycle(folder / stage_files::steps, campaign.mill.liner.sector).steps.back().profile;
 }
 
+double milling_time_before(const Campaign& campaign, int cycle) {
+  double time = 0.0;
+  for (int i = 0; i < cycle; ++i) {
+    const auto folder = campaign.folder.stage({i, StageKind::wear});
+    for (const auto& step :
+         read_cycle(folder / stage_files::steps, campaign.mill.liner.sector).steps)
+      time += step.duration;
+  }
+  return time;
+}
+
 double share_of_life(const Case& mill, const LinerProfile& liner) {
   const auto gone = [](double now, double fresh, double limit) {
     return fresh > limit ? (fresh - now) / (fresh - limit) : 1.0;

@@ -17,6 +17,9 @@ struct Campaign {
 /// The liner that a cycle begins with: the new one, or what the cycle before left.
 [[nodiscard]] LinerProfile liner_of_cycle(const Campaign& campaign, int cycle);
 
+/// Time that the mill has milled when a cycle's load is measured, since its liner was new [s].
+[[nodiscard]] double milling_time_before(const Campaign& campaign, int cycle);
+
 /// Share of the way from the new lifter to its limit, 0 ... 1, that a liner has gone.
 [[nodiscard]] double share_of_life(const Case& mill, const LinerProfile& liner);
 

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "orchestrator/stages.h"
 #include "wear/evolution.h"
@@ -12,7 +14,8 @@ namespace {
 
 Outcome outcome_from_end(wear::EvolutionEnd end) {
   switch (end) {
-    case wear::EvolutionEnd::threshold_reached:
+    case wear::EvolutionEnd::load_spent:
+    case wear::EvolutionEnd::time_reached:
       return Outcome::go_on;
     case wear::EvolutionEnd::height_limit:
       return Outcome::height_limit;
@@ -24,13 +27,38 @@ Outcome outcome_from_end(wear::EvolutionEnd end) {
 
 }  // namespace
 
+namespace {
+
+constexpr int loads_that_count = 3;
+
+/// The loads of a cycle and of those before it that its wear depends on, and the newest as bins.
+struct LoadsOfCycle {
+  std::vector<wear::TimedLoad> timed;
+  wear::LoadRate newest;
+};
+
+LoadsOfCycle loads_of_cycle(const Campaign& campaign, int cycle) {
+  const int first = campaign.mill.campaign.scheme == Scheme::threshold
+                        ? cycle
+                        : std::max(0, cycle + 1 - loads_that_count);
+  std::vector<wear::TimedLoad> timed;
+  for (int i = first;; ++i) {
+    const wear::LoadRate rate = wear::rate_of_load(
+        campaign.mill,
+        wear::read_load(campaign.folder.stage({i, StageKind::dem}) / stage_files::load));
+    timed.push_back({milling_time_before(campaign, i), liner_of_cycle(campaign, i),
+                     rate.smoothed.rate, rate.smoothed.block_modes.rowwise().norm()});
+    if (i == cycle) return {std::move(timed), rate};
+  }
+}
+
+}  // namespace
+
 Outcome wear_stage(const Campaign& campaign, int cycle, const std::filesystem::path& into) {
   const auto& mill = campaign.mill;
-  const auto recorded =
-      wear::read_load(campaign.folder.stage({cycle, StageKind::dem}) / stage_files::load);
-  const auto rate = wear::rate_of_load(mill, recorded);
-  const auto evolution = wear::evolve(liner_of_cycle(campaign, cycle), rate.smoothed.rate,
-                                      lifter_area(mill.liner), mill.campaign);
+  const LoadsOfCycle loads = loads_of_cycle(campaign, cycle);
+  const wear::LoadRate& rate = loads.newest;
+  const auto evolution = wear::evolve(loads.timed, lifter_area(mill.liner), mill.campaign);
   KeptCycle kept{rate.smoothed.moved_share, rate.raw.dot(rate.load.bin_widths()), {}};
   for (const auto& step : evolution.steps)
     kept.steps.push_back(

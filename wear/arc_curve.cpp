@@ -4,16 +4,19 @@
 
 namespace millwear::wear {
 
-double ArcCurve::at(double arc_length) const {
-  const Eigen::Index bins = values.size();
-  const double from_first_centre = arc_length / bin_width() - 0.5;
+BinsBeside bins_beside(double arc_length, double bin_width, Eigen::Index bins) {
+  const double from_first_centre = arc_length / bin_width - 0.5;
   const double left = std::floor(from_first_centre);
-  const double share = from_first_centre - left;
   const auto wrapped = [&](double index) {
     const auto modulo = static_cast<Eigen::Index>(std::fmod(index, static_cast<double>(bins)));
     return modulo < 0 ? modulo + bins : modulo;
   };
-  return (1.0 - share) * values[wrapped(left)] + share * values[wrapped(left + 1.0)];
+  return {wrapped(left), wrapped(left + 1.0), from_first_centre - left};
+}
+
+double ArcCurve::at(double arc_length) const {
+  const BinsBeside beside = bins_beside(arc_length, bin_width(), values.size());
+  return (1.0 - beside.share) * values[beside.left] + beside.share * values[beside.right];
 }
 
 }  // namespace millwear::wear

@@ -19,4 +19,14 @@ struct ArcCurve {
   [[nodiscard]] double bin_width() const { return length() / static_cast<double>(values.size()); }
 };
 
+/// The two bins between whose centres an arc length lies, over a pitch of even bins.
+struct BinsBeside {
+  Eigen::Index left;
+  Eigen::Index right;
+  double share;  ///< of the way from the left centre to the right one, 0 ... 1
+};
+
+/// `arc_length` [m] is any real number, taken modulo the length of the pitch.
+[[nodiscard]] BinsBeside bins_beside(double arc_length, double bin_width, Eigen::Index bins);
+
 }  // namespace millwear::wear

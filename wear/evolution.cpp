@@ -5,14 +5,13 @@
 #include <utility>
 
 #include "mill/failure.h"
-#include "wear/profile_index.h"
 #include "wear/profile_motion.h"
+#include "wear/step_control.h"
 
 namespace millwear::wear {
 namespace {
 
 constexpr double limit_within = 1e-6;
-constexpr double look_aside_share_of_bin = 1.0 / 40.0;
 constexpr int most_trials = 60;
 
 /// What is left above the limits.
@@ -28,30 +27,6 @@ struct Margin {
 Margin margin_of(const LinerProfile& profile, const CampaignSettings& settings) {
   return {lifter_height(profile) - settings.height_limit,
           plate_thickness(profile) - settings.plate_limit};
-}
-
-Eigen::Vector2d place_at(const LinerProfile& profile, const std::vector<double>& lengths,
-                         double arc_length) {
-  const double length = lengths.back();
-  const double wrapped = arc_length - length * std::floor(arc_length / length);
-  const auto above = std::upper_bound(lengths.begin() + 1, lengths.end() - 1, wrapped);
-  const auto i = static_cast<std::size_t>(above - lengths.begin());
-  const double share = (wrapped - lengths[i - 1]) / (lengths[i] - lengths[i - 1]);
-  return profile.nodes[i - 1] + share * (profile.nodes[i] - profile.nodes[i - 1]);
-}
-
-/// The load of the cycle's first profile on a moved one. Both sides of a place are looked up and
-/// averaged, because a corner of the moved profile is as near to one face as to the other.
-std::vector<LossNode> carried(const LinerProfile& moved, const ProfileIndex& first,
-                              const ArcCurve& rate) {
-  const auto lengths = arc_lengths(moved);
-  const double aside = look_aside_share_of_bin * rate.bin_width();
-  const auto rate_near = [&](double arc_length) {
-    return rate.at(first.nearest(place_at(moved, lengths, arc_length)).arc_length);
-  };
-  return loss_nodes(moved, rate.bin_width(), [&](double arc_length) {
-    return 0.5 * (rate_near(arc_length - aside) + rate_near(arc_length + aside));
-  });
 }
 
 struct TimedMove {
@@ -93,55 +68,100 @@ TimedMove move_to_limit(const LinerProfile& profile, const LossRate& loss, Timed
   return found;
 }
 
-void check(const ArcCurve& rate, double new_lifter_area, const CampaignSettings& settings) {
-  if (!(settings.threshold > 0.0) || settings.steps_per_cycle <= 0 || !(new_lifter_area > 0.0)) {
-    throw InputError("a campaign needs a threshold, steps per cycle and a lifter above zero");
+void check(const TimedLoad& load, double new_lifter_area, const CampaignSettings& settings,
+           double longest) {
+  if (!(settings.threshold > 0.0) || settings.steps_per_cycle <= 0 || !(new_lifter_area > 0.0) ||
+      !(longest > 0.0)) {
+    throw InputError("a campaign needs a threshold, steps per cycle, time and a lifter above zero");
   }
-  if (!rate.values.allFinite() || rate.values.minCoeff() < 0.0 || !(rate.values.maxCoeff() > 0.0)) {
+  const Eigen::VectorXd& rate = load.rate.values;
+  if (!rate.allFinite() || rate.minCoeff() < 0.0 || !(rate.maxCoeff() > 0.0)) {
     throw ResultRejected(
         "the load wears the liner nowhere: no contact did what its law counts while it was "
         "measured; measure for longer, or look at the charge and the law");
   }
 }
 
+/// How a cycle is cut into geometry steps.
+class StepPlan {
+ public:
+  StepPlan(std::span<const TimedLoad> loads, double new_lifter_area,
+           const CampaignSettings& settings)
+      : scheme_(settings.scheme),
+        section_(settings.threshold * new_lifter_area / settings.steps_per_cycle),
+        duration_(scheme_ == Scheme::adaptive
+                      ? time_to_next_load(loads, new_lifter_area, settings) /
+                            settings.steps_per_cycle
+                      : 0.0) {}
+
+  /// Of the next step under a load that takes so much section per second [s].
+  [[nodiscard]] double duration(double area_rate) const {
+    return scheme_ == Scheme::adaptive ? duration_ : section_ / area_rate;
+  }
+
+  /// The time within the next step, from `now`, whose load is taken for the whole of it [s].
+  [[nodiscard]] double middle(double now) const { return now + 0.5 * duration_; }
+
+ private:
+  Scheme scheme_;
+  double section_;
+  double duration_;
+};
+
+LossRate loss_on(const LinerProfile& profile, const LoadInTime& load, double time) {
+  const Eigen::VectorXd rate = load.rate(time);
+  const Eigen::VectorXd at_nodes = load.carrier().onto_nodes(profile) * rate;
+  Eigen::Index node = 0;
+  LossRate loss{
+      loss_nodes(profile, load.carrier().bin_width(), [&](double) { return at_nodes[node++]; }),
+      0.0};
+  const bool on_its_bins = profile.nodes == load.liner().nodes;
+  loss.area_rate = on_its_bins ? rate.sum() * load.carrier().bin_width() : loss_area(loss.nodes);
+  if (!(loss.area_rate > 0.0)) {
+    throw ResultRejected("the places that the load wore are gone; shorten the steps");
+  }
+  return loss;
+}
+
 }  // namespace
 
-Evolution evolve(const LinerProfile& profile, const ArcCurve& rate, double new_lifter_area,
-                 const CampaignSettings& settings) {
-  check(rate, new_lifter_area, settings);
-  Evolution evolution{{}, EvolutionEnd::threshold_reached};
-  const Margin at_start = margin_of(profile, settings);
+Evolution evolve(std::span<const TimedLoad> loads, double new_lifter_area,
+                 const CampaignSettings& settings, double longest) {
+  const LoadInTime load(loads.size() > 1 && settings.scheme == Scheme::threshold ? loads.last(1)
+                                                                                 : loads);
+  const TimedLoad& newest = loads.back();
+  check(newest, new_lifter_area, settings, longest);
+  Evolution evolution{{}, EvolutionEnd::load_spent};
+  const Margin at_start = margin_of(newest.profile, settings);
   if (at_start.least() <= limit_within) {
     evolution.end = at_start.nearest();
     return evolution;
   }
-  const double resolution = rate.bin_width();
-  const double area_per_step = settings.threshold * new_lifter_area / settings.steps_per_cycle;
-  const ProfileIndex first(profile, 4.0 * resolution);
-  LinerProfile current = profile;
+  const double resolution = load.carrier().bin_width();
+  const StepPlan plan(loads, new_lifter_area, settings);
+  LinerProfile current = newest.profile;
+  double elapsed = 0.0;
   for (int step = 0; step < settings.steps_per_cycle; ++step) {
-    LossRate loss;
-    if (step == 0) {
-      loss.nodes = loss_nodes(current, resolution, [&](double s) { return rate.at(s); });
-      loss.area_rate = rate.values.sum() * resolution;
-    } else {
-      loss.nodes = carried(current, first, rate);
-      loss.area_rate = loss_area(loss.nodes);
-    }
-    if (!(loss.area_rate > 0.0)) {
-      throw ResultRejected("the places that the load wore are gone; lower the threshold");
-    }
-    TimedMove move = move_for(current, loss, area_per_step / loss.area_rate, resolution);
+    const LossRate loss = loss_on(current, load, plan.middle(newest.time + elapsed));
+    const double planned = plan.duration(loss.area_rate);
+    const bool is_last_in_time = elapsed + planned >= longest;
+    TimedMove move =
+        move_for(current, loss, is_last_in_time ? longest - elapsed : planned, resolution);
     const bool reaches_limit = margin_of(move.moved.profile, settings).least() <= 0.0;
     if (reaches_limit) {
       move = move_to_limit(current, loss, std::move(move), resolution, settings);
     }
     current = move.moved.profile;
+    elapsed += move.duration;
     evolution.steps.push_back({move.duration, current, move.moved.removed_area,
                                loss.area_rate * move.duration, move.moved.dropped_area});
     const Margin left = margin_of(current, settings);
     if (left.least() <= limit_within) {
       evolution.end = left.nearest();
+      return evolution;
+    }
+    if (is_last_in_time) {
+      evolution.end = EvolutionEnd::time_reached;
       return evolution;
     }
   }

@@ -133,7 +133,8 @@ TEST(Erosion, ConvergesInTheStep) {
     curve.values[i] = 1e-9 * std::exp(-std::pow((place - 0.58) / 0.1, 2));
   }
   const auto height_after = [&](int steps) {
-    const auto evolution = evolve(profile, curve, lifter_area(profile), {0.2, steps, 0.0, 0.0, 1});
+    const auto evolution = evolve(std::vector<TimedLoad>{{0.0, profile, curve}},
+                                  lifter_area(profile), {0.2, steps, 0.0, 0.0, 1});
     double time = 0.0;
     for (const auto& step : evolution.steps) time += step.duration;
     return time;

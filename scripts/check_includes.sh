@@ -40,7 +40,7 @@ library dxflib "dxflib/|dl_" meshgen/dxf_polyline.cpp
 library GSL "gsl/" wear/penalised_spline.cpp
 library HDF5 "hdf5|H5" wear/hdf5_file.cpp wear/load_read.cpp wear/load_write.cpp \
   wear/collision_store.cpp
-library Clipper "polyclipping/|clipper" wear/steel_cut.cpp
+library Clipper "polyclipping/|clipper" wear/steel_cut.cpp wear/area_between.cpp
 library toml++ "toml" mill/case_document.cpp
 library CLI11 "CLI/" orchestrator/command_line.cpp recorder/recording_plan.cpp
 library LIGGGHTS "liggghts/" recorder/main.cpp recorder/mesh_hook.cpp recorder/pair_contacts.cpp \

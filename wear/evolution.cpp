@@ -13,6 +13,7 @@ namespace {
 
 constexpr double limit_within = 1e-6;
 constexpr int most_trials = 60;
+constexpr int most_halvings = 8;
 
 /// What is left above the limits.
 struct Margin {
@@ -44,6 +45,19 @@ TimedMove move_for(const LinerProfile& profile, const LossRate& loss, double dur
                    double resolution) {
   return {duration, move_profile(profile, scaled(loss.nodes, duration), loss.area_rate * duration,
                                  resolution)};
+}
+
+/// The move of a step, or where that is more than the load can take, of its half, its quarter ...
+TimedMove move_for_at_most(const LinerProfile& profile, const LossRate& loss, double duration,
+                           double resolution) {
+  for (int halvings = 0;; ++halvings) {
+    try {
+      return move_for(profile, loss, duration, resolution);
+    } catch (const ResultRejected&) {
+      if (halvings == most_halvings) throw;
+      duration *= 0.5;
+    }
+  }
 }
 
 /// A shorter step that ends at the limit; `longest` ends below it.
@@ -117,9 +131,6 @@ LossRate loss_on(const LinerProfile& profile, const LoadInTime& load, double tim
       0.0};
   const bool on_its_bins = profile.nodes == load.liner().nodes;
   loss.area_rate = on_its_bins ? rate.sum() * load.carrier().bin_width() : loss_area(loss.nodes);
-  if (!(loss.area_rate > 0.0)) {
-    throw ResultRejected("the places that the load wore are gone; shorten the steps");
-  }
   return loss;
 }
 
@@ -143,10 +154,12 @@ Evolution evolve(std::span<const TimedLoad> loads, double new_lifter_area,
   double elapsed = 0.0;
   for (int step = 0; step < settings.steps_per_cycle; ++step) {
     const LossRate loss = loss_on(current, load, plan.middle(newest.time + elapsed));
-    const double planned = plan.duration(loss.area_rate);
-    const bool is_last_in_time = elapsed + planned >= longest;
-    TimedMove move =
-        move_for(current, loss, is_last_in_time ? longest - elapsed : planned, resolution);
+    const bool is_all_gone = !(loss.area_rate > 0.0);
+    if (is_all_gone) return evolution;
+    const double left_of_time = longest - elapsed;
+    TimedMove move = move_for_at_most(
+        current, loss, std::min(plan.duration(loss.area_rate), left_of_time), resolution);
+    const bool is_last_in_time = move.duration == left_of_time;
     const bool reaches_limit = margin_of(move.moved.profile, settings).least() <= 0.0;
     if (reaches_limit) {
       move = move_to_limit(current, loss, std::move(move), resolution, settings);

@@ -44,7 +44,9 @@ struct Evolution {
 /// reversed, at least one; the last three count. On a moved profile a place wears at the rate of
 /// the nearest place of the liner that the newest load was measured on (`LoadCarrier`).
 /// The last step is shortened so that `height_limit` or `plate_limit` is met within 1e-6 m
-/// (where a piece falls off and the height jumps over the limit: just below it).
+/// (where a piece falls off and the height jumps over the limit: just below it). A step that is
+/// more than the load can take is halved until it is not; where the places are gone that the load
+/// wore, it is spent.
 /// Source: the 2006 paper, "Predicting the evolved lifter profile"; docs/physics.md.
 /// Throws InputError for settings and times not above zero, ResultRejected where the load wears
 /// nothing or the profile cannot be moved.

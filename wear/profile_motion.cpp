@@ -20,8 +20,11 @@ using Points = std::vector<Eigen::Vector2d>;
 constexpr double closest_share_of_bin = 0.05;
 constexpr double scale_within = 1e-6;
 constexpr double grid_share = 0.1;
+constexpr double lost_in_grid = 10.0 * clipping_grid;
 constexpr double nearly = 1e-2;
 constexpr double area_within = 1e-9;
+/// Rounding of a section as a share of the circle's sector, of which it is a difference.
+constexpr double rounding = 1e-14;
 constexpr int most_trials = 30;
 
 /// Where the surface touches itself at the very scale that fits, one near it is taken and matched.
@@ -55,21 +58,24 @@ struct Crossing {
   double radius;     ///< [m]
 };
 
-/// Where the surface first passes the ray from the mill's axis at `angle`.
-Crossing first_across(const LinerSector& sector, const Points& surface, double angle) {
+/// Where the surface passes the ray from the mill's axis at `angle`, along the rotation.
+std::vector<Crossing> across(const LinerSector& sector, const Points& surface, double angle) {
   const auto side = [&](const Eigen::Vector2d& point) {
     return std::sin(angle_of(sector, point) - angle) * radius_of(sector, point);
   };
+  std::vector<Crossing> crossings;
   for (std::size_t i = 1; i < surface.size(); ++i) {
     const double before = side(surface[i - 1]);
     const double after = side(surface[i]);
     if (before < 0.0 && after >= 0.0) {
       const double share = before / (before - after);
       const Eigen::Vector2d place = surface[i - 1] + share * (surface[i] - surface[i - 1]);
-      return {i, radius_of(sector, place)};
+      crossings.push_back({i, radius_of(sector, place)});
     }
   }
-  throw ResultRejected("the worn profile does not reach from one sector edge to the other");
+  if (crossings.empty())
+    throw ResultRejected("the worn profile does not reach from one sector edge to the other");
+  return crossings;
 }
 
 /// The pitch in the middle of three; ends that are nodes of the old profile stay exactly.
@@ -80,8 +86,11 @@ LinerProfile middle_pitch(const LinerProfile& old, const Points& surface) {
   if (last != surface.end()) return {sector, {first, last + 1}};
 
   const double angle = angle_of(sector, old.nodes.front());
-  const Crossing left = first_across(sector, surface, angle);
-  const Crossing right = first_across(sector, surface, angle + sector.pitch());
+  const Crossing left = across(sector, surface, angle).front();
+  const auto images = across(sector, surface, angle + sector.pitch());
+  const Crossing right = *std::min_element(images.begin(), images.end(), [&](auto a, auto b) {
+    return std::abs(a.radius - left.radius) < std::abs(b.radius - left.radius);
+  });
   constexpr double apart = 2.0 * clipping_grid;
   const Eigen::Vector2d start = point_at(sector, left.radius, angle);
   const Eigen::Vector2d end = point_at(sector, left.radius, angle + sector.pitch());
@@ -147,6 +156,9 @@ std::optional<LinerProfile> matched(const LinerProfile& old,
                                     const std::vector<SurfaceNode>& surface, double target_area) {
   constexpr double most_deepening = 0.2;
   const double old_area = steel_area(old);
+  const double within =
+      std::max(area_within * target_area,
+               rounding * 0.5 * old.sector.pitch() * std::pow(old.sector.shell_radius, 2));
   const auto excess = [&](double share) {
     return old_area - steel_area(deepened(old.sector, surface, share)) - target_area;
   };
@@ -159,15 +171,40 @@ std::optional<LinerProfile> matched(const LinerProfile& old,
     const double slope = (next_error - error) / (next_share - share);
     share = next_share;
     error = next_error;
-    if (std::abs(error) <= 1e-3 * area_within * target_area) break;
+    if (std::abs(error) <= 1e-3 * within) break;
     next_share = share - error / slope;
   }
-  if (!(std::abs(error) <= area_within * target_area) || std::abs(share) > most_deepening) {
+  if (!(std::abs(error) <= within) || std::abs(share) > most_deepening) {
     return std::nullopt;
   }
   LinerProfile profile = deepened(old.sector, surface, share);
   if (first_crossing(profile) != std::pair(-1, -1)) return std::nullopt;
   return profile;
+}
+
+/// The same, of the surface without the nodes it can do without, where that will do.
+std::optional<LinerProfile> matched_with_few_nodes(const LinerProfile& old,
+                                                   const std::vector<SurfaceNode>& surface,
+                                                   double target_area, double resolution) {
+  const auto few = thinned(surface, closest_share_of_bin * resolution);
+  auto profile = matched(old, few, target_area);
+  return profile ? profile : matched(old, surface, target_area);
+}
+
+/// The surface after a loss that the grid cannot resolve: so shallow that no piece meets another.
+std::vector<SurfaceNode> moved_along_normals(const LinerSector& sector,
+                                             const std::vector<LossNode>& loss) {
+  std::vector<SurfaceNode> nodes;
+  for (const LossNode& node : loss) nodes.push_back({node.position, node.depth, node.depth == 0.0});
+  const LinerProfile moved = deepened(sector, nodes, 1.0);
+  for (std::size_t i = 0; i < nodes.size(); ++i) nodes[i].position = moved.nodes[i];
+  return nodes;
+}
+
+double deepest(const std::vector<LossNode>& nodes) {
+  return std::max_element(nodes.begin(), nodes.end(),
+                          [](const auto& a, const auto& b) { return a.depth < b.depth; })
+      ->depth;
 }
 
 /// Area of the pieces whose centres lie on the pitch in the middle of three [m2].
@@ -196,6 +233,12 @@ struct Trial {
   double worn_area;
   double dropped_area;
 };
+
+/// A piece fell off and took the account's rest with it: what stands may be bounded by old faces
+/// and the cut through them alone, with no surface left that could go deeper.
+bool is_valid_remainder(const Trial& trial) {
+  return trial.dropped_area > 0.0 && first_crossing(trial.profile) == std::pair(-1, -1);
+}
 
 struct ScaledTrial {
   Trial trial;
@@ -226,7 +269,8 @@ ScaledTrial find_scale(const Take& take, double first_scale, double target_area,
     scale = bracketed && (trial > 1 || !(next > low && next < high)) ? inside : next;
     if (!std::isfinite(scale)) break;
   }
-  throw ResultRejected(fmt::format("no depth of loss removes {:g} m2 of the profile", target_area));
+  throw ResultRejected(fmt::format(
+      "no depth of loss removes {:g} m2 of the profile; shorten the step", target_area));
 }
 
 }  // namespace
@@ -245,6 +289,16 @@ MovedProfile move_profile(const LinerProfile& profile, const std::vector<LossNod
   const double unscaled = loss_area(loss);
   if (!(unscaled > 0.0)) throw ResultRejected("no load wears the profile, yet steel is to go");
 
+  const double first_scale = target_area / unscaled;
+  if (first_scale * deepest(loss) < lost_in_grid) {
+    const auto surface = moved_along_normals(sector, scaled(loss, first_scale));
+    const auto result = matched_with_few_nodes(profile, surface, target_area, resolution);
+    if (result) {
+      return {*result, steel_area(profile) - steel_area(*result), first_scale, 0.0,
+              plate_thickness(*result) <= 0.0};
+    }
+  }
+
   const auto nodes = over_three_pitches(sector, loss);
   const Points old_surface =
       positions(over_three_pitches(sector, loss_nodes(profile, 1e9, [](double) { return 0.0; })));
@@ -258,18 +312,18 @@ MovedProfile move_profile(const LinerProfile& profile, const std::vector<LossNod
     return trial;
   };
   const double grid_area = grid_share * clipping_grid * arc_lengths(profile).back();
-  const ScaledTrial found = find_scale(take, target_area / unscaled, target_area,
-                                       std::max(scale_within * target_area, grid_area));
+  const ScaledTrial found =
+      find_scale(take, first_scale, target_area, std::max(scale_within * target_area, grid_area));
   for (const double nudge : past_a_touch) {
     const Trial trial = nudge == 1.0 ? found.trial : take(nudge * found.scale);
     const double removed_area = target_area + trial.dropped_area;
     const auto worn = surface_nodes(profile, old_surface, trial.profile);
-    auto result = matched(profile, thinned(worn, closest_share_of_bin * resolution), removed_area);
-    if (!result) result = matched(profile, worn, removed_area);
-    if (result) {
-      return {*result, steel_area(profile) - steel_area(*result), found.scale, trial.dropped_area,
-              plate_thickness(*result) <= 0.0};
-    }
+    auto result = matched_with_few_nodes(profile, worn, removed_area, resolution);
+    if (!result && is_valid_remainder(trial)) result = trial.profile;
+    if (!result) continue;
+    const double removed = steel_area(profile) - steel_area(*result);
+    const double dropped = trial.dropped_area > 0.0 ? removed - target_area : 0.0;
+    return {*result, removed, found.scale, dropped, plate_thickness(*result) <= 0.0};
   }
   throw ResultRejected(
       fmt::format("taking {:g} m2 off the profile leaves one that crosses itself; shorten the step",

@@ -1,123 +1,107 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <boost/geometry.hpp>
-#include <boost/geometry/geometries/point_xy.hpp>
-#include <boost/geometry/geometries/polygon.hpp>
+#include <algorithm>
 #include <cmath>
 
-#include "sample_profiles.h"
-#include "wear/arc_curve.h"
-#include "wear/profile_motion.h"
+#include "random_liners.h"
 
 namespace millwear::wear {
 namespace {
 
-namespace bg = boost::geometry;
-using BoostPolygon = bg::model::polygon<bg::model::d2::point_xy<double>>;
-
 constexpr Eigen::Index bins = 100;
 
-double between(int low, int high, double unit) { return *rc::gen::inRange(low, high) * unit; }
-
-/// A lifter with random height, widths, a nose and a random plate level.
-LinerProfile random_profile() {
-  const double half = 0.5 * sample_sector.pitch();
-  const double foot = between(60, 150, 1e-3);
-  const double top = between(20, 60, 1e-3);
-  const double height = between(5, 160, 1e-3);
-  const double level = between(-30, 1, 1e-3);
-  const double nose = between(0, 40, 1e-3);
-  return {sample_sector,
-          {point_at(sample_sector, 1.0 - level, -half),
-           {-foot, level},
-           {-top, level + height},
-           {0.0, level + height + nose},
-           {top, level + height},
-           {foot, level},
-           point_at(sample_sector, 1.0 - level, half)}};
+/// A section to wear off in one step [m2], between 10^low and 10^high of the steel of a pitch.
+double random_section(const LinerProfile& profile, int low, int high) {
+  return steel_area(profile) * std::pow(10.0, between(100 * low, 100 * high, 1e-2));
 }
 
-/// Random smooth-ish rates with stretches of no load.
-ArcCurve random_rates(const LinerProfile& profile) {
-  ArcCurve curve{Eigen::VectorXd::LinSpaced(bins + 1, 0.0, arc_lengths(profile).back()),
-                 Eigen::VectorXd::Zero(bins)};
-  for (double& rate : curve.values) rate = between(1, 100, 1e-2);
-  const auto unloaded = *rc::gen::inRange<Eigen::Index>(0, bins - 10);
-  const auto size = *rc::gen::inRange<Eigen::Index>(0, bins - unloaded - 5);
-  curve.values.segment(unloaded, size).setZero();
-  return curve;
+/// The rounding of a section [m2].
+double rounding(const LinerSector& sector) {
+  return 1e-14 * 0.5 * sector.pitch() * std::pow(sector.shell_radius, 2);
 }
 
-MovedProfile worn_by(const LinerProfile& profile, const ArcCurve& curve, double area) {
-  const auto nodes = loss_nodes(profile, curve.bin_width(), [&](double s) { return curve.at(s); });
-  return move_profile(profile, nodes, area, curve.bin_width());
-}
-
-BoostPolygon steel(const LinerProfile& profile) {
-  BoostPolygon polygon;
-  for (const auto& node : profile.nodes)
-    bg::append(polygon, bg::make<bg::model::d2::point_xy<double>>(node.x(), node.y()));
-  const double angle = 0.5 * sample_sector.pitch();
-  for (const double end : {angle, -angle}) {
-    const auto corner = point_at(sample_sector, 1.5, end);
-    bg::append(polygon, bg::make<bg::model::d2::point_xy<double>>(corner.x(), corner.y()));
-  }
-  bg::correct(polygon);
-  return polygon;
-}
-
-double gained(const LinerProfile& before, const LinerProfile& after) {
-  std::vector<BoostPolygon> gain;
-  bg::difference(steel(after), steel(before), gain);
-  double area = 0.0;
-  for (const auto& piece : gain) area += std::abs(bg::area(piece));
-  return area;
+/// What must hold whatever the profile and the load.
+void check_step(const LinerProfile& before, const MovedProfile& worn, double area) {
+  const LinerProfile& after = worn.profile;
+  RC_ASSERT(first_crossing(after) == std::pair(-1, -1));
+  const double lost = steel_area(before) - steel_area(after);
+  RC_ASSERT(std::abs(lost - worn.dropped_area - area) <=
+            1e-9 * (area + worn.dropped_area) + 1.1 * rounding(before.sector));
+  RC_ASSERT(lost == worn.removed_area);
+  RC_ASSERT(gained(before, after) <= 3e-9 * arc_lengths(before).back());
+  const auto& sector = before.sector;
+  RC_ASSERT(std::abs(radius_of(sector, after.nodes.front()) -
+                     radius_of(sector, after.nodes.back())) < 1e-14 * sector.plate_radius);
+  RC_ASSERT(std::abs(angle_of(sector, after.nodes.front()) -
+                     angle_of(sector, before.nodes.front())) < 1e-13);
+  RC_ASSERT(worn.plate_worn_through == (plate_thickness(after) <= 0.0));
 }
 
 RC_GTEST_PROP(RandomWear, NoCrossingNoGainPeriodicAndExact, ()) {
-  LinerProfile profile = random_profile();
-  for (int step = 0; step < 6; ++step) {
-    const auto curve = random_rates(profile);
-    const double area = between(1, 100, 2e-6);
-    const auto worn = worn_by(profile, curve, area);
-    RC_ASSERT(first_crossing(worn.profile) == std::pair(-1, -1));
-    RC_ASSERT(std::abs(steel_area(profile) - steel_area(worn.profile) - area) <= 1e-9 * area);
-    const double length = arc_lengths(profile).back();
-    RC_ASSERT(gained(profile, worn.profile) <= 3e-9 * length);
-    const auto& nodes = worn.profile.nodes;
-    RC_ASSERT(std::abs(radius_of(sample_sector, nodes.front()) -
-                       radius_of(sample_sector, nodes.back())) < 1e-13);
+  LinerProfile profile = random_liner();
+  for (int step = 0; step < 4; ++step) {
+    const double area = random_section(profile, -6, -2);
+    const auto worn = worn_by(profile, random_load(profile, bins), area);
+    check_step(profile, worn, area);
     profile = worn.profile;
   }
 }
 
+// Up to 24 steps of a thousandth of a pitch's steel each.
+RC_GTEST_PROP(RandomWear, ManyStepsStayValidAndTheNodesFew, ()) {
+  LinerProfile profile = random_liner();
+  const double area = 1e-3 * steel_area(profile);
+  const int steps = *rc::gen::inRange(1, 25);
+  for (int step = 0; step < steps; ++step) {
+    const auto worn = worn_by(profile, random_load(profile, 50), area);
+    RC_ASSERT(worn.profile.nodes.size() < 600U);
+    profile = worn.profile;
+  }
+}
+
+/// How far two ways to the same surface may lie apart [m]: thinning, which goes from one end to the
+/// other, joins nodes closer than a twentieth of a bin and may keep another one of them, on each
+/// side.
+double surfaces_within(const ArcCurve& load) { return 0.1 * load.bin_width() + 2e-6; }
+
 RC_GTEST_PROP(RandomWear, MirroredLoadWearsTheMirroredProfile, ()) {
-  const LinerProfile profile = random_profile();
-  const auto curve = random_rates(profile);
-  const ArcCurve mirrored_curve{curve.bin_edges, curve.values.reverse()};
-  const double area = between(1, 100, 2e-6);
-  const auto here = worn_by(profile, curve, area).profile;
-  const auto there = mirrored(worn_by(mirrored(profile), mirrored_curve, area).profile);
-  RC_ASSERT(std::abs(lifter_height(here) - lifter_height(there)) < 2e-6);
-  const double either = gained(here, there) + gained(there, here);
-  RC_ASSERT(either < 5e-3 * area + 2e-6 * arc_lengths(profile).back());
+  const LinerProfile profile = random_liner();
+  const auto load = random_load(profile, bins);
+  const ArcCurve mirrored_load{load.bin_edges, load.values.reverse()};
+  const double area = random_section(profile, -6, -2);
+  const auto here = worn_by(profile, load, area);
+  const auto there = worn_by(mirrored(profile), mirrored_load, area);
+  RC_ASSERT(std::abs(there.dropped_area - here.dropped_area) <= 1e-6 * (area + here.dropped_area));
+  RC_ASSERT(distance_between(here.profile, mirrored(there.profile)) < surfaces_within(load));
+}
+
+// A shape is a ring around the mill; where the pitch begins is ours to say.
+RC_GTEST_PROP(RandomWear, StartsAnywhereOnThePitch, ()) {
+  const LinerProfile profile = random_upright_liner();
+  const auto load = random_load(profile, bins);
+  const double area = random_section(profile, -6, -2);
+  const auto start = *rc::gen::inRange<std::size_t>(0, profile.nodes.size() - 1);
+  const LinerProfile other = started_at(profile, start);
+  const double start_at = arc_lengths(profile)[start];
+  const auto other_loss =
+      loss_nodes(other, load.bin_width(), [&](double s) { return load.at(s + start_at); });
+  const auto here = worn_by(profile, load, area);
+  const auto there = move_profile(other, other_loss, area, load.bin_width());
+  RC_ASSERT(std::abs(there.dropped_area - here.dropped_area) <= 1e-6 * (area + here.dropped_area));
+  RC_ASSERT(distance_between(here.profile, there.profile) < surfaces_within(load));
 }
 
 // Where the rate is zero for more than a bin around, the surface is the old one, exactly.
 RC_GTEST_PROP(RandomWear, UnloadedNodesStay, ()) {
-  const LinerProfile profile = random_profile();
-  const auto curve = random_rates(profile);
-  const auto worn = worn_by(profile, curve, between(1, 100, 1e-6)).profile;
+  const LinerProfile profile = random_upright_liner();
+  const auto load = random_load(profile, bins);
+  const auto worn = worn_by(profile, load, random_section(profile, -6, -4)).profile;
   const auto lengths = arc_lengths(profile);
   for (std::size_t i = 1; i + 1 < profile.nodes.size(); ++i) {
-    const double w = curve.bin_width();
-    const bool unloaded = curve.at(lengths[i] - 3 * w) + curve.at(lengths[i] - 2 * w) +
-                              curve.at(lengths[i] - w) + curve.at(lengths[i]) +
-                              curve.at(lengths[i] + w) + curve.at(lengths[i] + 2 * w) +
-                              curve.at(lengths[i] + 3 * w) ==
-                          0.0;
-    if (!unloaded) continue;
+    double rate_around = 0.0;
+    for (int bin = -3; bin <= 3; ++bin) rate_around += load.at(lengths[i] + bin * load.bin_width());
+    if (rate_around > 0.0) continue;
     RC_ASSERT(std::find(worn.nodes.begin(), worn.nodes.end(), profile.nodes[i]) !=
               worn.nodes.end());
   }

@@ -58,7 +58,7 @@ void check_plain_text(std::string_view text, const std::filesystem::path& file) 
   }
 }
 
-std::string read_text_file(const std::filesystem::path& file) {
+std::string read_text_file(const std::filesystem::path& file, std::size_t largest) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream || std::filesystem::is_directory(file)) {
     throw InputError(
@@ -66,14 +66,14 @@ std::string read_text_file(const std::filesystem::path& file) {
                     "check its name",
                     file.string()));
   }
-  std::string text(largest_input_file + 1, '\0');
+  std::string text(largest + 1, '\0');
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(stream.gcount()));
-  if (text.size() > largest_input_file) {
+  if (text.size() > largest) {
     throw InputError(
         fmt::format("{}:1: the file is too large (over {} KiB, {} KiB at most); keep "
                     "one mill or one profile a file",
-                    file.string(), largest_input_file / 1024, largest_input_file / 1024));
+                    file.string(), largest / 1024, largest / 1024));
   }
   check_plain_text(text, file);
   return text;

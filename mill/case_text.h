@@ -9,8 +9,9 @@ namespace millwear {
 inline constexpr std::size_t largest_input_file = 64 * 1024;
 
 /// The whole text of a case file or profile. Throws InputError with file and line if it is missing,
-/// larger than `largest_input_file`, or not plain text (see `check_plain_text`).
-[[nodiscard]] std::string read_text_file(const std::filesystem::path& file);
+/// larger than `largest` bytes, or not plain text (see `check_plain_text`).
+[[nodiscard]] std::string read_text_file(const std::filesystem::path& file,
+                                         std::size_t largest = largest_input_file);
 
 /// Throws InputError with file and line at the first control character other than tab and line
 /// break, and at the first byte that is not UTF-8.

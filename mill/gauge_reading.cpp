@@ -90,28 +90,24 @@ std::vector<Quantity> quantities_of(const GaugeReading& reading) {
           {"steel area", "cm2", 1e4, area, reading.error * length}};
 }
 
-void check_steel_goes(const std::filesystem::path& table, const std::vector<GaugeRow>& rows,
-                      const std::vector<GaugeReading>& readings) {
-  const auto later = quantities_of(readings.back());
-  for (std::size_t i = 0; i + 1 < readings.size(); ++i) {
-    const auto earlier = quantities_of(readings[i]);
-    for (std::size_t q = 0; q < later.size(); ++q) {
-      if (!earlier[q].value || !later[q].value) {
-        continue;
-      }
-      const double growth = *later[q].value - *earlier[q].value;
-      const double allowed = errors_apart * std::hypot(earlier[q].error, later[q].error);
-      if (growth > allowed) {
-        refuse_line(
-            table, rows[readings.size() - 1].line,
-            fmt::format("the {0} grows from {1:.4g} {2} at {3:g} h to {4:.4g} {2} at {5:g} h, and "
-                        "steel only goes (it may by {6:.3g} {2}, three errors): out of order in "
-                        "time, or of another liner? Mend the hours or the reading, or give the "
-                        "error that it has",
-                        later[q].name, *earlier[q].value * later[q].per_unit, later[q].unit,
-                        readings[i].operating_hours, *later[q].value * later[q].per_unit,
-                        readings.back().operating_hours, allowed * later[q].per_unit));
-      }
+void check_no_growth(const GaugeReading& earlier, const GaugeReading& later,
+                     const std::string& place) {
+  const auto before = quantities_of(earlier);
+  const auto after = quantities_of(later);
+  for (std::size_t q = 0; q < after.size(); ++q) {
+    if (!before[q].value || !after[q].value) {
+      continue;
+    }
+    const double allowed = errors_apart * std::hypot(before[q].error, after[q].error);
+    if (*after[q].value - *before[q].value > allowed) {
+      throw InputError(
+          fmt::format("{7}: the {0} grows from {1:.4g} {2} at {3:g} h to {4:.4g} {2} at {5:g} h, "
+                      "and steel only goes (it may by {6:.3g} {2}, three errors): out of order in "
+                      "time, or of another liner? Mend the hours or the reading, or give the error "
+                      "that it has",
+                      after[q].name, *before[q].value * before[q].per_unit, after[q].unit,
+                      earlier.operating_hours, *after[q].value * after[q].per_unit,
+                      later.operating_hours, allowed * after[q].per_unit, place));
     }
   }
 }
@@ -191,9 +187,22 @@ std::vector<GaugeReading> gauge_readings(const std::vector<GaugeRow>& rows,
     }
     check_range(table, row, reading, sector);
     readings.push_back(std::move(reading));
-    check_steel_goes(table, rows, readings);
   }
+  std::vector<std::string> places;
+  for (const GaugeRow& row : rows) {
+    places.push_back(fmt::format("{}:{}", table.string(), row.line));
+  }
+  check_steel_goes(readings, places);
   return readings;
+}
+
+void check_steel_goes(const std::vector<GaugeReading>& readings,
+                      const std::vector<std::string>& places) {
+  for (std::size_t later = 0; later < readings.size(); ++later) {
+    for (std::size_t earlier = 0; earlier < later; ++earlier) {
+      check_no_growth(readings[earlier], readings[later], places[later]);
+    }
+  }
 }
 
 std::vector<GaugeReading> read_gauge_readings(const std::filesystem::path& table,

@@ -49,6 +49,11 @@ struct GaugeRow {
                                                        const std::filesystem::path& table,
                                                        const LinerSector& sector);
 
+/// Steel only goes: throws InputError ("PLACE: what") where a reading, in increasing order of time,
+/// tells of more than an earlier one. `places` says where each was read.
+void check_steel_goes(const std::vector<GaugeReading>& readings,
+                      const std::vector<std::string>& places);
+
 /// `gauge_readings` of `read_gauge_rows`.
 [[nodiscard]] std::vector<GaugeReading> read_gauge_readings(const std::filesystem::path& table,
                                                             const LinerSector& sector);

@@ -63,7 +63,8 @@ void snap_to_edges(const LinerSector& sector, std::vector<Eigen::Vector2d>& node
 
 }  // namespace
 
-LinerProfile completed_profile(const LinerSector& sector, std::vector<Eigen::Vector2d> nodes) {
+LinerProfile completed_profile(const LinerSector& sector, std::vector<Eigen::Vector2d> nodes,
+                               double tolerance) {
   if (nodes.size() < 3) {
     throw InputError(
         fmt::format("the profile has {} nodes (a lifter takes at least 3); add the missing ones",
@@ -90,14 +91,14 @@ LinerProfile completed_profile(const LinerSector& sector, std::vector<Eigen::Vec
   const Eigen::Vector2d& trailing = nodes.front();
   const Eigen::Vector2d& leading = nodes.back();
   const double radius_gap = radius_of(sector, leading) - radius_of(sector, trailing);
-  const bool at_edges = std::abs(off_edge(trailing)) <= profile_end_tolerance &&
-                        std::abs(off_edge(leading)) <= profile_end_tolerance;
-  if (at_edges && std::abs(radius_gap) <= profile_end_tolerance) {
+  const bool at_edges =
+      std::abs(off_edge(trailing)) <= tolerance && std::abs(off_edge(leading)) <= tolerance;
+  if (at_edges && std::abs(radius_gap) <= tolerance) {
     snap_to_edges(sector, nodes);
-  } else if (!at_edges && std::abs(off_plate(trailing)) <= profile_end_tolerance &&
-             std::abs(off_plate(leading)) <= profile_end_tolerance) {
+  } else if (!at_edges && std::abs(off_plate(trailing)) <= tolerance &&
+             std::abs(off_plate(leading)) <= tolerance) {
     for (int side = 0; side < 2; ++side) {
-      if (off_edge(nodes.front()) > profile_end_tolerance) {
+      if (off_edge(nodes.front()) > tolerance) {
         extend_to_trailing_edge(sector, nodes);
       }
       mirror(nodes);
@@ -106,16 +107,17 @@ LinerProfile completed_profile(const LinerSector& sector, std::vector<Eigen::Vec
   } else if (at_edges) {
     throw InputError(fmt::format(
         "the profile's two ends do not meet (radius {:.3f} mm larger at the leading sector edge "
-        "than at the trailing one, 1 mm at most); they are one point of two neighbouring pitches",
-        radius_gap * 1e3));
+        "than at the trailing one, {:g} mm at most); they are one point of two neighbouring "
+        "pitches",
+        radius_gap * 1e3, tolerance * 1e3));
   } else {
     throw InputError(fmt::format(
         "the profile ends neither on the plate nor at the sector edges (its ends lie {:.3f} and "
-        "{:.3f} mm from the plate's circle, {:.1f} and {:.1f} mm from the edges, 1 mm at most); "
+        "{:.3f} mm from the plate's circle, {:.1f} and {:.1f} mm from the edges, {:g} mm at most); "
         "end "
         "it on the plate, or {:.4f} m of plate before and behind the lifter's centre",
         off_plate(trailing) * 1e3, off_plate(leading) * 1e3, off_edge(trailing) * 1e3,
-        off_edge(leading) * 1e3, edge * sector.plate_radius));
+        off_edge(leading) * 1e3, tolerance * 1e3, edge * sector.plate_radius));
   }
   return {sector, std::move(nodes)};
 }

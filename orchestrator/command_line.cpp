@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
+#include <map>
 
 #include "mill/failure.h"
 #include "orchestrator/version.h"
@@ -10,6 +11,9 @@ namespace millwear::orchestrator {
 namespace {
 
 constexpr int most_ranks = 100000;
+constexpr double most_hours = 1e6;
+constexpr double least_error_mm = 0.01;
+constexpr double most_error_mm = 100.0;
 
 struct VerbText {
   Verb verb;
@@ -18,7 +22,7 @@ struct VerbText {
   const char* examples;
 };
 
-constexpr std::array<VerbText, 7> verbs = {{
+constexpr std::array<VerbText, 9> verbs = {{
     {Verb::check, "check",
      "Check a case file and print what would be simulated: counts, filling, time step, cost",
      "  millwear check cases/pilot_mill/case.toml\n"
@@ -41,6 +45,16 @@ constexpr std::array<VerbText, 7> verbs = {{
      "  cp cases/pilot_mill/case.toml other_law.toml   # and change the laws in its [wear]\n"
      "  millwear wear other_law.toml --out runs/pilot_mill\n"
      "  millwear wear other_law.toml --out runs/pilot_mill --csv rates.csv --json"},
+    {Verb::import, "import",
+     "Bring in what a gauge or a scan told of the worn liner: gauge/gauge_readings.csv",
+     "  millwear import my_mill.toml scan.csv --hours 5112 --unit mm\n"
+     "  millwear import my_mill.toml drawing.dxf --hours 5448 --layer LINER --error-mm 0.5\n"
+     "  millwear import my_mill.toml --hours 6312 --height-mm 56"},
+    {Verb::compare, "compare",
+     "Compare a campaign with the gauge readings, or two profiles with each other",
+     "  millwear compare my_mill.toml\n"
+     "  millwear compare my_mill.toml --out runs/try --csv comparison.csv\n"
+     "  millwear compare my_mill.toml --profiles scanned.csv predicted.csv"},
 }};
 
 void add_common_options(CLI::App& verb, Command& command) {
@@ -52,6 +66,32 @@ void add_common_options(CLI::App& verb, Command& command) {
       "-q,--quiet", [&] { command.verbosity = Verbosity::quiet; }, "Print errors only");
   verb.add_flag_callback(
       "-v,--verbose", [&] { command.verbosity = Verbosity::verbose; }, "Print more");
+}
+
+void add_import_options(CLI::App& verb, ImportOptions& import) {
+  const std::map<std::string, LengthUnit> units{{"m", LengthUnit::metre},
+                                                {"mm", LengthUnit::millimetre}};
+  const std::map<std::string, AlignmentMode> modes{
+      {"none", AlignmentMode::none}, {"ends", AlignmentMode::ends}, {"fit", AlignmentMode::fit}};
+  verb.add_option("file", import.curve, "CSV (xi_m,eta_m or x,y) or DXF of the worn profile");
+  verb.add_option("--hours", import.hours, "Operating hours since the liner was new")
+      ->required()
+      ->check(CLI::Range(0.0, most_hours));
+  verb.add_option("--unit", import.unit, "Unit of x and y, or of a DXF: m or mm")
+      ->transform(CLI::CheckedTransformer(units).description(""));
+  verb.add_option("--layer", import.layer, "Layer of a DXF that the profile is on");
+  verb.add_option("--align", import.align,
+                  "none: it is in the master frame (xi_m,eta_m); ends: by its two ends on the "
+                  "plate; fit: by its unworn parts (x,y and DXF)")
+      ->transform(CLI::CheckedTransformer(modes).description(""));
+  verb.add_flag("--mirror", import.mirror, "The profile was seen from the other end of the mill");
+  verb.add_option("--reference", import.reference,
+                  "CSV of a profile to align with, in place of the new liner");
+  verb.add_option("--error-mm", import.error_mm, "Standard error of a length; by default 1 mm")
+      ->check(CLI::Range(least_error_mm, most_error_mm));
+  verb.add_option("--height-mm", import.height_mm, "A lifter height, in place of a profile");
+  verb.add_option("--plate-mm", import.plate_mm,
+                  "Steel over the shell; with --align ends that under the profile's ends");
 }
 
 }  // namespace
@@ -95,6 +135,16 @@ ParsedCommandLine parse_command_line(int argc, const char* const* argv) {
                        "CSV of a worn profile (xi_m,eta_m) in place of the new one");
     if (text.verb == Verb::wear)
       verb->add_option("--csv", command.csv, "Write the depth rate by cycle, mechanism and bin");
+    if (text.verb == Verb::import) add_import_options(*verb, command.import);
+    if (text.verb == Verb::compare) {
+      verb->add_option("--csv", command.csv, "Write the comparison with the readings as a table");
+      verb->add_option("--profiles", command.compared_profiles,
+                       "Two profiles (CSV) to compare, in place of the campaign and the readings")
+          ->expected(2);
+    }
+    if (text.verb == Verb::import || text.verb == Verb::compare || text.verb == Verb::report)
+      verb->add_option("--readings", command.readings,
+                       "Folder of the gauge readings; by default `gauge` beside the case file");
   }
   try {
     app.parse(argc, argv);

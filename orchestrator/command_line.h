@@ -2,12 +2,14 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "orchestrator/import_options.h"
 #include "orchestrator/progress.h"
 
 namespace millwear::orchestrator {
 
-enum class Verb { check, mesh, deck, run, status, report, wear };
+enum class Verb { check, mesh, deck, run, status, report, wear, import, compare };
 
 enum class OutputForm { text, json };
 
@@ -22,7 +24,10 @@ struct Command {
   bool explain;                                  ///< run: say why each stage runs
   std::optional<int> ranks;                      ///< instead of the case's
   std::optional<std::filesystem::path> profile;  ///< mesh, deck: a worn profile instead of the new
-  std::optional<std::filesystem::path> csv;      ///< wear: file of the rates by bin
+  std::optional<std::filesystem::path> csv;      ///< wear, compare: file of the table
+  std::optional<std::filesystem::path> readings{};  ///< import, compare, report: gauge readings
+  ImportOptions import{};
+  std::vector<std::filesystem::path> compared_profiles{};  ///< compare: none, or two
 };
 
 /// The command, or the exit code with which the program ends at once (help, version, bad usage).

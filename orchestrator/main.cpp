@@ -47,6 +47,10 @@ void carry_out(const Command& command) {
       return report_verb(command);
     case Verb::wear:
       return wear_verb(command);
+    case Verb::import:
+      return import_verb(command);
+    case Verb::compare:
+      return compare_verb(command);
   }
 }
 

@@ -12,5 +12,7 @@ void run_verb(const Command& command);
 void status_verb(const Command& command);
 void report_verb(const Command& command);
 void wear_verb(const Command& command);
+void import_verb(const Command& command);
+void compare_verb(const Command& command);
 
 }  // namespace millwear::orchestrator

@@ -40,10 +40,40 @@ TEST(CommandLine, TakesEveryOptionOfRun) {
 
 TEST(CommandLine, KnowsEveryVerb) {
   const std::vector<std::pair<const char*, Verb>> verbs = {
-      {"check", Verb::check},   {"mesh", Verb::mesh},     {"deck", Verb::deck}, {"run", Verb::run},
-      {"status", Verb::status}, {"report", Verb::report}, {"wear", Verb::wear}};
+      {"check", Verb::check}, {"mesh", Verb::mesh},      {"deck", Verb::deck},
+      {"run", Verb::run},     {"status", Verb::status},  {"report", Verb::report},
+      {"wear", Verb::wear},   {"compare", Verb::compare}};
   for (const auto& [name, verb] : verbs)
     EXPECT_EQ(answer_to({name, "case.toml"}).parsed.command->verb, verb) << name;
+}
+
+TEST(CommandLine, TakesEveryOptionOfImport) {
+  const auto parsed = answer_to({"import", "case.toml",  "scan.dxf",    "--hours",    "5112",
+                                 "--unit", "mm",         "--layer",     "LINER",      "--align",
+                                 "ends",   "--mirror",   "--reference", "old.csv",    "--error-mm",
+                                 "0.5",    "--plate-mm", "70",          "--readings", "there"})
+                          .parsed;
+  ASSERT_TRUE(parsed.command);
+  EXPECT_EQ(parsed.command->verb, Verb::import);
+  EXPECT_EQ(parsed.command->readings, "there");
+  const ImportOptions& import = parsed.command->import;
+  EXPECT_EQ(import.curve, "scan.dxf");
+  EXPECT_EQ(import.hours, 5112.0);
+  EXPECT_EQ(import.unit, LengthUnit::millimetre);
+  EXPECT_EQ(import.layer, "LINER");
+  EXPECT_EQ(import.align, AlignmentMode::ends);
+  EXPECT_TRUE(import.mirror);
+  EXPECT_EQ(import.reference, "old.csv");
+  EXPECT_EQ(import.error_mm, 0.5);
+  EXPECT_EQ(import.plate_mm, 70.0);
+}
+
+TEST(CommandLine, TakesTwoProfilesToCompare) {
+  const auto parsed =
+      answer_to({"compare", "case.toml", "--profiles", "a.csv", "b.csv", "--json"}).parsed;
+  ASSERT_TRUE(parsed.command);
+  EXPECT_EQ(parsed.command->compared_profiles,
+            (std::vector<std::filesystem::path>{"a.csv", "b.csv"}));
 }
 
 TEST(CommandLine, EndsWellAfterHelpAndVersionOnStandardOutput) {
@@ -58,17 +88,22 @@ TEST(CommandLine, EndsWellAfterHelpAndVersionOnStandardOutput) {
 }
 
 TEST(CommandLine, RefusesWrongUsageWithExitCode2OnStandardError) {
-  for (const auto& words :
-       std::vector<std::vector<const char*>>{{},
-                                             {"grind", "case.toml"},
-                                             {"run"},
-                                             {"run", "case.toml", "--fast"},
-                                             {"run", "case.toml", "another"},
-                                             {"run", "case.toml", "--ranks"},
-                                             {"run", "case.toml", "--ranks=0"},
-                                             {"run", "case.toml", "--ranks=x"},
-                                             {"check", "case.toml", "--dry-run"},
-                                             {"run", "case.toml", "--out"}}) {
+  for (const auto& words : std::vector<std::vector<const char*>>{
+           {},
+           {"grind", "case.toml"},
+           {"run"},
+           {"run", "case.toml", "--fast"},
+           {"run", "case.toml", "another"},
+           {"run", "case.toml", "--ranks"},
+           {"run", "case.toml", "--ranks=0"},
+           {"run", "case.toml", "--ranks=x"},
+           {"check", "case.toml", "--dry-run"},
+           {"run", "case.toml", "--out"},
+           {"import", "case.toml", "scan.csv"},
+           {"import", "case.toml", "--hours", "-1"},
+           {"import", "case.toml", "--hours", "1", "--unit", "inch"},
+           {"import", "case.toml", "--hours", "1", "--align", "well"},
+           {"compare", "case.toml", "--profiles", "a.csv"}}) {
     const Answer answer = answer_to(words);
     EXPECT_FALSE(answer.parsed.command);
     EXPECT_EQ(answer.parsed.exit_code, 2);

@@ -138,8 +138,7 @@ LossRate loss_on(const LinerProfile& profile, const LoadInTime& load, double tim
 
 Evolution evolve(std::span<const TimedLoad> loads, double new_lifter_area,
                  const CampaignSettings& settings, double longest) {
-  const LoadInTime load(loads.size() > 1 && settings.scheme == Scheme::threshold ? loads.last(1)
-                                                                                 : loads);
+  const LoadInTime load(in_use(loads, settings.scheme));
   const TimedLoad& newest = loads.back();
   check(newest, new_lifter_area, settings, longest);
   Evolution evolution{{}, EvolutionEnd::load_spent};

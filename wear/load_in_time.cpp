@@ -19,6 +19,10 @@ Eigen::VectorXd variance_of(const TimedLoad& load) {
 
 }  // namespace
 
+std::span<const TimedLoad> in_use(std::span<const TimedLoad> loads, Scheme scheme) {
+  return scheme == Scheme::threshold && loads.size() > 1 ? loads.last(1) : loads;
+}
+
 LoadInTime::LoadInTime(std::span<const TimedLoad> loads)
     : newest_(newest_of(loads)), carrier_(newest_.profile, newest_.rate.values.size()) {
   if (loads.size() < 2) return;

@@ -3,6 +3,7 @@
 #include <optional>
 #include <span>
 
+#include "mill/case.h"
 #include "mill/liner_profile.h"
 #include "wear/arc_curve.h"
 #include "wear/load_carrier.h"
@@ -16,6 +17,10 @@ struct TimedLoad {
   ArcCurve rate;            ///< depth rate along it [m/s]
   Eigen::VectorXd error{};  ///< standard error of `rate` by bin [m/s]; empty where it is exact
 };
+
+/// Those of the loads since the liner was new (or since the mill's rotation was reversed) that a
+/// scheme looks at: the newest, or all.
+[[nodiscard]] std::span<const TimedLoad> in_use(std::span<const TimedLoad> loads, Scheme scheme);
 
 /// The load on a liner that wears on after its last measurement:
 ///     v(t) = v_n + (t - t_n) g,   g = f (v_n - v_(n-1)) / (t_n - t_(n-1)),   not below zero,

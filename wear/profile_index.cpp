@@ -7,14 +7,8 @@
 #include "mill/failure.h"
 
 namespace millwear::wear {
-namespace {
-
-constexpr int cells_along_xi = 96;
-constexpr int cells_along_eta = 64;
-
-}  // namespace
-
-ProfileIndex::ProfileIndex(const LinerProfile& profile, double reach) : length_(0.0) {
+ProfileIndex::ProfileIndex(const LinerProfile& profile, double reach, const IndexGrid& grid)
+    : length_(0.0), grid_(grid) {
   if (profile.nodes.size() < 2) throw InputError("a liner profile needs at least two nodes");
   for (std::size_t i = 0; i + 1 < profile.nodes.size(); ++i) {
     const double length = (profile.nodes[i + 1] - profile.nodes[i]).norm();
@@ -40,12 +34,12 @@ void ProfileIndex::lay_grid(const LinerProfile& profile, double reach) {
   }
   corner_ = low.array() - reach;
   const Eigen::Vector2d extent = (high - low).array() + 2.0 * reach;
-  const Eigen::Vector2d cell(extent.x() / cells_along_xi, extent.y() / cells_along_eta);
+  const Eigen::Vector2d cell(extent.x() / grid_.along_xi, extent.y() / grid_.along_eta);
   cells_per_metre_ = cell.cwiseInverse();
 
   std::vector<double> distances(segments_.size());
-  for (int row = 0; row < cells_along_eta; ++row) {
-    for (int column = 0; column < cells_along_xi; ++column) {
+  for (int row = 0; row < grid_.along_eta; ++row) {
+    for (int column = 0; column < grid_.along_xi; ++column) {
       first_candidate_.push_back(static_cast<std::uint32_t>(candidates_.size()));
       const Eigen::Vector2d centre =
           corner_ + Eigen::Vector2d((column + 0.5) * cell.x(), (row + 0.5) * cell.y());
@@ -75,12 +69,12 @@ ProfilePlace ProfileIndex::nearest(const Eigen::Vector2d& point) const {
   const double column = (point.x() - corner_.x()) * cells_per_metre_.x();
   const double row = (point.y() - corner_.y()) * cells_per_metre_.y();
   const bool inside =
-      column >= 0.0 && column < cells_along_xi && row >= 0.0 && row < cells_along_eta;
+      column >= 0.0 && column < grid_.along_xi && row >= 0.0 && row < grid_.along_eta;
   const Segment* first = segments_.data();
   const Segment* last = first + segments_.size();
   if (inside) {
     const auto cell =
-        static_cast<std::size_t>(static_cast<int>(row) * cells_along_xi + static_cast<int>(column));
+        static_cast<std::size_t>(static_cast<int>(row) * grid_.along_xi + static_cast<int>(column));
     first = candidates_.data() + first_candidate_[cell];
     last = candidates_.data() + first_candidate_[cell + 1];
   }

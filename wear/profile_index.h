@@ -13,6 +13,13 @@ struct ProfilePlace {
   double distance;    ///< [m], >= 0
 };
 
+/// Cells of the grid that a `ProfileIndex` lays. Laying it takes time with their number, asking for
+/// places takes less the more there are: many for a million questions, few for a few hundred.
+struct IndexGrid {
+  int along_xi = 96;
+  int along_eta = 64;
+};
+
 /// Finds the nearest place on a profile and on its images on the two neighbouring pitches, whose
 /// arc length is that of the place they are images of.
 ///
@@ -22,7 +29,7 @@ struct ProfilePlace {
 class ProfileIndex {
  public:
   /// `reach` [m], > 0. Throws InputError for a profile of fewer than two nodes.
-  ProfileIndex(const LinerProfile& profile, double reach);
+  ProfileIndex(const LinerProfile& profile, double reach, const IndexGrid& grid = {});
 
   [[nodiscard]] ProfilePlace nearest(const Eigen::Vector2d& point) const;
 
@@ -46,6 +53,7 @@ class ProfileIndex {
   void lay_grid(const LinerProfile& profile, double reach);
 
   double length_;
+  IndexGrid grid_;
   std::vector<Segment> segments_;
   Eigen::Vector2d corner_;
   Eigen::Vector2d cells_per_metre_;

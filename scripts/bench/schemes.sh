@@ -10,7 +10,7 @@ cmake --build --preset ci --target scheme_table >/dev/null
 table=$(mktemp)
 trap 'rm -f "$table"' EXIT
 build/ci/tests/verification/wear/scheme_table | tee "$table"
-gnuplot -e "table='$table'" <<'PLOT'
+gnuplot -e "table='$table'" - <<'PLOT'
 set terminal pngcairo size 900,560 font "sans,12"
 set output "docs/schemes.png"
 set datafile separator ","

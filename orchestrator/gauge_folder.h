@@ -6,6 +6,7 @@
 
 #include "mill/case.h"
 #include "mill/gauge_reading.h"
+#include "orchestrator/report/report_data.h"
 
 namespace millwear::orchestrator {
 
@@ -27,5 +28,8 @@ void check_under_new_liner(const GaugeReading& reading, const LinerProfile& line
 /// The same, and throws InputError where there is none.
 [[nodiscard]] std::vector<GaugeReading> needed_readings_in(const std::filesystem::path& folder,
                                                            const Case& mill);
+
+/// Gives the report what the folder's readings tell: heights and profiles.
+void add_readings(const std::vector<GaugeReading>& readings, ReportData& data);
 
 }  // namespace millwear::orchestrator

@@ -15,6 +15,7 @@
 #include "orchestrator/child_process.h"
 #include "orchestrator/cost_estimate.h"
 #include "orchestrator/gather.h"
+#include "orchestrator/gauge_folder.h"
 #include "orchestrator/result_files.h"
 #include "orchestrator/run_lock.h"
 #include "orchestrator/stretch_run.h"
@@ -138,8 +139,20 @@ LedgerEntry run_and_tell(const Campaign& campaign, const StageId& stage, Progres
   }
 }
 
-ReportData publish_campaign(const Campaign& campaign, const Ledger& ledger) {
+/// A table that cannot be taken does not stop a campaign, unless it was asked for by name.
+void add_readings_of(const Command& command, const Case& mill, ReportData& data) {
+  try {
+    add_readings(readings_in(gauge_folder(mill, command.readings), mill), data);
+  } catch (const InputError& problem) {
+    if (command.readings) throw;
+    data.warnings.push_back(fmt::format("the gauge readings are left out: {}", problem.what()));
+  }
+}
+
+ReportData publish_campaign(const Command& command, const Campaign& campaign,
+                            const Ledger& ledger) {
   ReportData data = gather(campaign, ledger);
+  add_readings_of(command, campaign.mill, data);
   publish_results(campaign, ledger, data);
   publish_report(campaign, data);
   return data;
@@ -191,13 +204,13 @@ void run_verb(const Command& command) {
       [&](const StageId& stage) { return run_and_tell(campaign, stage, progress); },
       [&](const LedgerEntry& entry) { append_entry(folder.ledger(), entry); },
       [&](const Ledger& so_far) {
-        const ReportData data = publish_campaign(campaign, so_far);
+        const ReportData data = publish_campaign(command, campaign, so_far);
         progress.say(
             fmt::format("cycle {}: {}", so_far.entries.back().stage.cycle, spoken_outcome(data)));
       }};
   const Ledger finished = run_campaign(ledger, campaign.mill.campaign.cycle_limit, effects);
   // Once more at the end: an earlier process may have died between its last stage and its results.
-  const ReportData data = publish_campaign(campaign, finished);
+  const ReportData data = publish_campaign(command, campaign, finished);
   publish_pictures_if_possible(campaign, data, progress);
   progress.detail(fmt::format("{:.1f} s of processor time went elsewhere than into LIGGGHTS",
                               static_cast<double>(std::clock()) / CLOCKS_PER_SEC));
@@ -243,7 +256,7 @@ void report_verb(const Command& command) {
   const RunLock lock(folder.lock());
   check_outputs(ledger, folder.root);
   const Campaign campaign{mill, folder, ledger.start.ranks};
-  const ReportData data = publish_campaign(campaign, ledger);
+  const ReportData data = publish_campaign(command, campaign, ledger);
   Progress progress(command.verbosity);
   publish_pictures_if_possible(campaign, data, progress);
   print_outcome(command, folder, data);

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -83,8 +84,15 @@ struct Conservation {
 
 /// A lifter height that a gauge read, to hold the prediction against.
 struct MeasuredHeight {
-  double operating_hours;  ///< [h]
-  double height;           ///< [m]
+  double operating_hours;                                   ///< [h]
+  double height;                                            ///< [m]
+  double error = std::numeric_limits<double>::quiet_NaN();  ///< standard error [m]
+};
+
+/// A profile that a gauge or a scan read.
+struct MeasuredProfile {
+  double operating_hours;              ///< [h]
+  std::vector<Eigen::Vector2d> nodes;  ///< master frame (xi, eta) [m]
 };
 
 /// All that `report.html` shows. Vectors are in the order of the campaign; any may be empty.
@@ -103,6 +111,7 @@ struct ReportData {
   std::vector<PowerSeries> power;
   std::vector<Conservation> conservation;
   std::vector<MeasuredHeight> measured;
+  std::vector<MeasuredProfile> measured_profiles{};
   std::vector<std::string> warnings;
   std::vector<LabelledValue> provenance;
 };

@@ -120,7 +120,13 @@ Json json_of(const Conservation& balance) {
 }
 
 Json json_of(const MeasuredHeight& measured) {
-  return {{"operating_hours", measured.operating_hours}, {"height", measured.height}};
+  return {{"operating_hours", measured.operating_hours},
+          {"height", measured.height},
+          {"error", measured.error}};
+}
+
+Json json_of(const MeasuredProfile& measured) {
+  return {{"operating_hours", measured.operating_hours}, {"nodes", json_of(measured.nodes)}};
 }
 
 Json json_of(const LinerSector& sector) {
@@ -156,8 +162,8 @@ std::string report_json(const ReportData& data) {
       {"profiles", all(data.profiles)},    {"loads", all(data.loads)},
       {"energy_edges", data.energy_edges}, {"impacts", all(data.impacts)},
       {"power", all(data.power)},          {"conservation", all(data.conservation)},
-      {"measured", all(data.measured)},    {"warnings", data.warnings},
-      {"provenance", all(data.provenance)}};
+      {"measured", all(data.measured)},    {"measured_profiles", all(data.measured_profiles)},
+      {"warnings", data.warnings},         {"provenance", all(data.provenance)}};
   return inside_script(json.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 

@@ -95,9 +95,16 @@ function axes(svg, frame, x, y, labels) {
   svg.append("text").attr({x: 0, y: 12}).text(labels.value);
 }
 
+function drawErrors(svg, points, colour, x, y) {
+  svg.append("g").selectAll("line").data(points.filter((p) => known(p.error))).enter().append("line")
+    .attr({class: "error", x1: (p) => x(p.x), x2: (p) => x(p.x), y1: (p) => Math.min(y(p.y - p.error), y.range()[0]),
+      y2: (p) => y(p.y + p.error)}).style("stroke", colour);
+}
+
 function drawSeries(svg, series, x, y) {
   const points = series.points.filter((point) => known(point.x) && known(point.y));
   if (series.style === "dots") {
+    drawErrors(svg, points, series.colour, x, y);
     svg.append("g").selectAll("circle").data(points).enter().append("circle")
       .attr({cx: (p) => x(p.x), cy: (p) => y(p.y), r: 4.5, fill: "#fff", stroke: series.colour, "stroke-width": 2});
     return;
@@ -105,9 +112,7 @@ function drawSeries(svg, series, x, y) {
   svg.append("path").datum(series.points).attr("class", "series " + (series.style || ""))
     .style("stroke", series.colour)
     .attr("d", d3.svg.line().defined((p) => known(p.x) && known(p.y)).x((p) => x(p.x)).y((p) => y(p.y)));
-  svg.append("g").selectAll("line").data(points.filter((p) => known(p.error))).enter().append("line")
-    .attr({class: "error", x1: (p) => x(p.x), x2: (p) => x(p.x), y1: (p) => Math.min(y(p.y - p.error), y.range()[0]),
-      y2: (p) => y(p.y + p.error)}).style("stroke", series.colour);
+  drawErrors(svg, points, series.colour, x, y);
   if (series.marks)
     svg.append("g").selectAll("circle").data(points).enter().append("circle")
       .attr({cx: (p) => x(p.x), cy: (p) => y(p.y), r: 2.6, fill: series.colour});

@@ -29,9 +29,9 @@ function drawHeight(container) {
     ({x: row.operating_hours, y: inMillimetres(row.lifter_height)}))}].concat(straightLine());
   if (data.measured.length)
     series.push({name: "measured", colour: "#a8431c", style: "dots", points: data.measured.map((m) =>
-      ({x: m.operating_hours, y: inMillimetres(m.height)}))});
+      ({x: m.operating_hours, y: inMillimetres(m.height), error: known(m.error) ? inMillimetres(m.error) : null}))});
   lineChart(container, {name: "Lifter height", span: campaignHours, x: "operating hours", value: "mm", zero: true, series, rules,
-    place: hoursText, text: (p) => fixed(1)(p.y) + " mm"});
+    place: hoursText, text: (p) => withError(p, 1, "mm")});
 }
 
 function drawWornShare(container) {

@@ -19,6 +19,14 @@ function nearestProfile(drawing, [px, py]) {
   return best;
 }
 
+/** The profiles of gauges and scans: dashed, in the colour of their hours. */
+function drawMeasured({svg, path}) {
+  svg.append("g").selectAll("path").data(data.measured_profiles).enter().append("path")
+    .attr("class", "gauge").attr("d", (profile) => path(profile.nodes))
+    .style("stroke", (profile) => ageColour(profile.operating_hours))
+    .append("title").text((profile) => "measured at " + hoursText(profile.operating_hours));
+}
+
 function drawProfilesOverTime(container) {
   if (!data.profiles.length) { nothing(container, "No profile was published yet."); return; }
   const last = data.profiles.length - 1;
@@ -33,6 +41,7 @@ function drawProfilesOverTime(container) {
       .attr("class", (profile, i) => "profile" + (i === 0 || i === last ? " end" : ""))
       .attr("d", (profile) => path(profile.nodes))
       .style("stroke", (profile) => ageColour(profile.operating_hours));
+    drawMeasured(drawing);
     ageLegend(drawing);
     const halo = svg.append("path").attr("class", "halo");
     const chosen = svg.append("path").attr("class", "chosen");

@@ -230,6 +230,28 @@ TEST_F(GaugeImport, RefusesAProfileThatStandsOutOfTheNewLiner) {
   EXPECT_THAT(refusal(request(1, CurveFile{file, {}, {}})), HasSubstr("above the new liner"));
 }
 
+TEST_F(GaugeImport, ReportShowsHeightsAndProfiles) {
+  const auto file = put("scan.csv", csv_of(worn(mill, 0.025, 0.01), "xi_m,eta_m", 1.0, in_place));
+  take(height(0, 0.04));
+  take(request(100, CurveFile{file, {}, {}}));
+  ImportRequest plate = request(200, {});
+  plate.plate_thickness = 0.01;
+  take(plate);
+  ReportData data{};
+  add_readings(readings_in(folder.path() / "gauge", mill), data);
+  ASSERT_EQ(data.measured.size(), 2U);
+  EXPECT_EQ(data.measured[0].height, 0.04);
+  EXPECT_EQ(data.measured[1].operating_hours, 100.0);
+  EXPECT_EQ(data.measured[1].error, 1e-3);
+  ASSERT_EQ(data.measured_profiles.size(), 1U);
+  EXPECT_EQ(data.measured_profiles[0].operating_hours, 100.0);
+}
+
+TEST_F(GaugeImport, FolderWithoutATableHasNoReadings) {
+  EXPECT_TRUE(readings_in(folder.path() / "gauge", mill).empty());
+  EXPECT_THROW(static_cast<void>(needed_readings_in(folder.path() / "gauge", mill)), InputError);
+}
+
 TEST(ProfileName, SortsByHours) {
   EXPECT_EQ(profile_name(5112), "profile_0005112h.csv");
   EXPECT_EQ(profile_name(0), "profile_0000000h.csv");

@@ -78,6 +78,18 @@ TEST_F(ReportPage, DrawsImpactsByClassAndByPairOfMaterials) {
   EXPECT_EQ(count_of(part_between(page, "id=\"impacts-cycle\"", "</select>"), "<option"), 3u);
 }
 
+TEST_F(ReportPage, DrawsMeasuredProfilesBesideThePredicted) {
+  auto campaign = synthetic_campaign(3, 2);
+  campaign.measured_profiles = {{5112, campaign.profiles.at(2).nodes},
+                                {6312, campaign.profiles.at(4).nodes}};
+  campaign.measured.at(1).error = 0.002;
+  const auto page = drawn(report_html(campaign), folder);
+  const auto over_time = part_between(page, "id=\"profiles-over-time\"", "</svg>");
+  EXPECT_EQ(count_of(over_time, "class=\"gauge\""), 2u);
+  EXPECT_EQ(count_of(over_time, "measured at"), 2u);
+  EXPECT_EQ(count_of(part_between(page, "id=\"height-chart\"", "</svg>"), "class=\"error\""), 1u);
+}
+
 // A campaign before its first result: the page still says what it is and draws nothing.
 TEST_F(ReportPage, OfAnEmptyCampaignSaysSo) {
   auto campaign = synthetic_campaign(0, 1);

@@ -127,7 +127,8 @@ Calibration calibrate(const WearPath& path, const Observations& observations) {
   result.condition = condition_number(fit.design);
   result.rise_without.resize(mechanisms);
   for (Eigen::Index m = 0; m < mechanisms; ++m)
-    result.rise_without[m] = chi_square_without(path, observations, {m}) - fit.chi_square;
+    result.rise_without[m] =
+        std::max(0.0, chi_square_without(path, observations, {m}) - fit.chi_square);
   result.alike = pairs_alike({path, observations, result, correlations(free),
                               taken_by_last_reading(path, observations, fit.factors)});
   return result;

@@ -22,7 +22,7 @@ struct VerbText {
   const char* examples;
 };
 
-constexpr std::array<VerbText, 9> verbs = {{
+constexpr std::array<VerbText, 10> verbs = {{
     {Verb::check, "check",
      "Check a case file and print what would be simulated: counts, filling, time step, cost",
      "  millwear check cases/pilot_mill/case.toml\n"
@@ -55,6 +55,11 @@ constexpr std::array<VerbText, 9> verbs = {{
      "  millwear compare my_mill.toml\n"
      "  millwear compare my_mill.toml --out runs/try --csv comparison.csv\n"
      "  millwear compare my_mill.toml --profiles scanned.csv predicted.csv"},
+    {Verb::calibrate, "calibrate",
+     "Find the coefficients of the wear laws from measured heights and profiles, along the liners "
+     "and loads that a campaign keeps, without any DEM",
+     "  millwear calibrate cases/pilot_mill/case.toml   # reads cases/pilot_mill/gauge\n"
+     "  millwear calibrate two_laws.toml --out runs/pilot_mill --readings measured --until 4000"},
 }};
 
 void add_common_options(CLI::App& verb, Command& command) {
@@ -142,9 +147,16 @@ ParsedCommandLine parse_command_line(int argc, const char* const* argv) {
                        "Two profiles (CSV) to compare, in place of the campaign and the readings")
           ->expected(2);
     }
-    if (text.verb == Verb::import || text.verb == Verb::compare || text.verb == Verb::report)
+    if (text.verb == Verb::import || text.verb == Verb::compare || text.verb == Verb::report ||
+        text.verb == Verb::calibrate)
       verb->add_option("--readings", command.readings,
                        "Folder of the gauge readings; by default `gauge` beside the case file");
+    if (text.verb == Verb::calibrate) {
+      verb->add_option("--until", command.until,
+                       "Fit to the readings up to these operating hours and predict the later ones")
+          ->check(CLI::PositiveNumber);
+      verb->add_option("--csv", command.csv, "Write the readings beside what is fitted");
+    }
   }
   try {
     app.parse(argc, argv);

@@ -9,7 +9,7 @@
 
 namespace millwear::orchestrator {
 
-enum class Verb { check, mesh, deck, run, status, report, wear, import, compare };
+enum class Verb { check, mesh, deck, run, status, report, wear, import, compare, calibrate };
 
 enum class OutputForm { text, json };
 
@@ -24,10 +24,11 @@ struct Command {
   bool explain;                                  ///< run: say why each stage runs
   std::optional<int> ranks;                      ///< instead of the case's
   std::optional<std::filesystem::path> profile;  ///< mesh, deck: a worn profile instead of the new
-  std::optional<std::filesystem::path> csv;      ///< wear, compare: file of the table
-  std::optional<std::filesystem::path> readings{};  ///< import, compare, report: gauge readings
+  std::optional<std::filesystem::path> csv;      ///< wear, compare, calibrate: file of the table
+  std::optional<std::filesystem::path> readings{};  ///< of the gauge readings
   ImportOptions import{};
   std::vector<std::filesystem::path> compared_profiles{};  ///< compare: none, or two
+  std::optional<double> until{};  ///< calibrate: fit to readings up to here only [h]
 };
 
 /// The command, or the exit code with which the program ends at once (help, version, bad usage).

@@ -51,6 +51,8 @@ void carry_out(const Command& command) {
       return import_verb(command);
     case Verb::compare:
       return compare_verb(command);
+    case Verb::calibrate:
+      return calibrate_verb(command);
   }
 }
 

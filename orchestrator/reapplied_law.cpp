@@ -1,16 +1,12 @@
 #include "orchestrator/reapplied_law.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "mill/case_file.h"
-#include "mill/failure.h"
 #include "orchestrator/campaign.h"
 #include "orchestrator/case_difference.h"
-#include "orchestrator/ledger.h"
+#include "orchestrator/kept_campaign.h"
 #include "orchestrator/measured.h"
 #include "orchestrator/stages.h"
 #include "wear/load_accumulator.h"
@@ -26,41 +22,8 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 /// Distributions this near differ by the rounding of one factor.
 constexpr double same_within = 1e-12;
 
-/// Half the integral of |p - q|; NaN where one of the two is zero everywhere.
-double distance(const Eigen::VectorXd& first, const Eigen::VectorXd& second,
-                const Eigen::VectorXd& widths) {
-  const double of_first = first.dot(widths);
-  const double of_second = second.dot(widths);
-  if (!(of_first > 0.0 && of_second > 0.0)) return unknown;
-  return 0.5 * (first / of_first - second / of_second).cwiseAbs().dot(widths);
-}
-
 WallLoad bins_of(const Case& mill, const WallLoad& recorded) {
   return wear::coarsened(recorded, static_cast<int>(recorded.bins()) / mill.wear.bins);
-}
-
-/// Throws ResultRejected unless the loads and steps are those that the ledger has.
-void check_kept(Ledger ledger, const RunFolder& folder) {
-  for (auto& entry : ledger.entries)
-    std::erase_if(entry.outputs, [](const auto& output) {
-      return output.first != stage_files::load && output.first != stage_files::steps;
-    });
-  check_outputs(ledger, folder.root);
-}
-
-Ledger ledger_in(const RunFolder& folder) {
-  auto ledger = read_ledger(folder.ledger());
-  if (!ledger || !std::filesystem::exists(folder.locked_case()))
-    throw Failure(ExitCode::usage,
-                  fmt::format("{}: no campaign is here; name one that `millwear run` has worked "
-                              "in with --out",
-                              folder.root.string()));
-  if (ledger->find({0, StageKind::dem}) == nullptr)
-    throw Failure(ExitCode::usage, fmt::format("{}: the campaign has no load yet (its first is "
-                                               "measured in cycle 0 dem); let `millwear run` go "
-                                               "on until then",
-                                               folder.root.string()));
-  return *ledger;
 }
 
 LawOnCycle law_on_cycle(const Campaign& campaign, const Case& other, const Ledger& ledger,
@@ -81,14 +44,25 @@ LawOnCycle law_on_cycle(const Campaign& campaign, const Case& other, const Ledge
 
 }  // namespace
 
+double share_elsewhere(const Eigen::VectorXd& first, const Eigen::VectorXd& second,
+                       const Eigen::VectorXd& widths) {
+  const double of_first = first.dot(widths);
+  const double of_second = second.dot(widths);
+  if (!(of_first > 0.0 && of_second > 0.0)) return unknown;
+  return 0.5 * (first / of_first - second / of_second).cwiseAbs().dot(widths);
+}
+
 LawOnLoad law_on_load(const Case& campaign, const Case& other, const WallLoad& recorded) {
   const auto before = wear::rate_of_load(campaign, recorded);
   const auto after = wear::rate_of_load(other, recorded);
   const Eigen::VectorXd widths = before.load.bin_widths();
-  LawOnLoad result{
-      after.raw.dot(widths), before.raw.dot(widths), {}, distance(after.raw, before.raw, widths)};
+  LawOnLoad result{after.raw.dot(widths),
+                   before.raw.dot(widths),
+                   {},
+                   share_elsewhere(after.raw, before.raw, widths)};
   if (!(result.elsewhere <= same_within))
-    result.elsewhere = distance(after.smoothed.rate.values, before.smoothed.rate.values, widths);
+    result.elsewhere =
+        share_elsewhere(after.smoothed.rate.values, before.smoothed.rate.values, widths);
   else
     result.elsewhere = 0.0;
   for (const auto& mechanism : other.wear.mechanisms) {
@@ -100,8 +74,8 @@ LawOnLoad law_on_load(const Case& campaign, const Case& other, const WallLoad& r
 }
 
 ReappliedLaw reapply(const Case& mill, const RunFolder& folder) {
-  const Ledger ledger = ledger_in(folder);
-  const Case run = read_case(folder.locked_case());
+  const auto [campaign, ledger] = kept_campaign(folder);
+  const Case& run = campaign.mill;
   ReappliedLaw result{run,
                       with_law_of(mill, run, folder.root.string()),
                       {},
@@ -110,8 +84,6 @@ ReappliedLaw reapply(const Case& mill, const RunFolder& folder) {
                       0.0,
                       0.0,
                       unknown};
-  check_kept(ledger, folder);
-  const Campaign campaign{run, folder, ledger.start.ranks};
   for (int cycle = 0; ledger.find({cycle, StageKind::dem}) != nullptr; ++cycle) {
     result.cycles.push_back(law_on_cycle(campaign, result.other, ledger, cycle));
     const LawOnCycle& last = result.cycles.back();

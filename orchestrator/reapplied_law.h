@@ -19,6 +19,11 @@ struct LawOnLoad {
   double elsewhere;
 };
 
+/// Half of int |p - q| ds over two rates by bin, each divided by its integral, 0 ... 1; NaN where
+/// one of them is zero everywhere.
+[[nodiscard]] double share_elsewhere(const Eigen::VectorXd& first, const Eigen::VectorXd& second,
+                                     const Eigen::VectorXd& widths);
+
 /// `other` is the campaign's case with another law, `recorded` as in load.h5.
 [[nodiscard]] LawOnLoad law_on_load(const Case& campaign, const Case& other,
                                     const WallLoad& recorded);

@@ -45,4 +45,15 @@ std::filesystem::path RunFolder::partial_stage(const StageId& id) const {
   return cycle_folder(root, id.cycle) / fmt::format(".{}.partial", name_of(id.kind));
 }
 
+void check_outside(const std::filesystem::path& file, const RunFolder& folder) {
+  const std::filesystem::path from_folder =
+      std::filesystem::weakly_canonical(file).lexically_relative(
+          std::filesystem::weakly_canonical(folder.root));
+  if (from_folder.empty() || *from_folder.begin() == "..") return;
+  throw Failure(ExitCode::usage,
+                fmt::format("--csv {}: this is among the campaign's own files in {}; name a file "
+                            "elsewhere",
+                            file.string(), folder.root.string()));
+}
+
 }  // namespace millwear::orchestrator

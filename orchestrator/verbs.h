@@ -14,5 +14,6 @@ void report_verb(const Command& command);
 void wear_verb(const Command& command);
 void import_verb(const Command& command);
 void compare_verb(const Command& command);
+void calibrate_verb(const Command& command);
 
 }  // namespace millwear::orchestrator

@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "mill/case_file.h"
-#include "mill/failure.h"
 #include "mill/published_file.h"
 #include "orchestrator/reapplied_law.h"
 #include "orchestrator/verbs.h"
@@ -91,23 +90,12 @@ void print_text(const ReappliedLaw& law) {
   print_life(law);
 }
 
-/// Throws Failure where a file would lie among the campaign's own.
-void check_outside(const fs::path& file, const fs::path& folder) {
-  const fs::path from_folder =
-      fs::weakly_canonical(file).lexically_relative(fs::weakly_canonical(folder));
-  if (from_folder.empty() || *from_folder.begin() == "..") return;
-  throw Failure(ExitCode::usage,
-                fmt::format("--csv {}: this is among the campaign's own files in {}; name a file "
-                            "elsewhere",
-                            file.string(), folder.string()));
-}
-
 }  // namespace
 
 void wear_verb(const Command& command) {
   const Case mill = read_case(command.case_file);
   const RunFolder folder{command.out.empty() ? fs::path("runs") / mill.name : command.out};
-  if (command.csv) check_outside(*command.csv, folder.root);
+  if (command.csv) check_outside(*command.csv, folder);
   const ReappliedLaw law = reapply(mill, folder);
   if (command.csv) publish(*command.csv, wear_rates_csv(wear_rates(law, folder)));
   if (command.form == OutputForm::json)

@@ -33,8 +33,8 @@ struct FactorFit {
                                     const std::vector<LossObservation>& observations,
                                     const std::optional<Eigen::VectorXd>& start = {});
 
-/// Factors from all readings but one, by reading 0 ... the largest number, each fit begun from those
-/// of all; nothing where the other readings have fewer values than there are mechanisms.
+/// Factors from all readings but one, by reading 0 ... the largest number, each fit begun from
+/// those of all; nothing where the other readings have fewer values than there are mechanisms.
 [[nodiscard]] std::vector<std::optional<Eigen::VectorXd>> factors_without_each(
     const WearPath& path, const std::vector<LossObservation>& observations,
     const Eigen::VectorXd& factors);

@@ -40,9 +40,9 @@ TEST(CommandLine, TakesEveryOptionOfRun) {
 
 TEST(CommandLine, KnowsEveryVerb) {
   const std::vector<std::pair<const char*, Verb>> verbs = {
-      {"check", Verb::check}, {"mesh", Verb::mesh},      {"deck", Verb::deck},
-      {"run", Verb::run},     {"status", Verb::status},  {"report", Verb::report},
-      {"wear", Verb::wear},   {"compare", Verb::compare}};
+      {"check", Verb::check}, {"mesh", Verb::mesh},       {"deck", Verb::deck},
+      {"run", Verb::run},     {"status", Verb::status},   {"report", Verb::report},
+      {"wear", Verb::wear},   {"compare", Verb::compare}, {"calibrate", Verb::calibrate}};
   for (const auto& [name, verb] : verbs)
     EXPECT_EQ(answer_to({name, "case.toml"}).parsed.command->verb, verb) << name;
 }
@@ -76,6 +76,20 @@ TEST(CommandLine, TakesTwoProfilesToCompare) {
             (std::vector<std::filesystem::path>{"a.csv", "b.csv"}));
 }
 
+TEST(CommandLine, TakesEveryOptionOfCalibrate) {
+  const auto parsed = answer_to({"calibrate", "case.toml", "--out", "run", "--readings", "measured",
+                                 "--until", "4000", "--csv", "readings.csv", "--json"})
+                          .parsed;
+  ASSERT_TRUE(parsed.command);
+  EXPECT_EQ(parsed.command->readings, "measured");
+  EXPECT_EQ(parsed.command->until, 4000.0);
+  EXPECT_EQ(parsed.command->csv, "readings.csv");
+  EXPECT_EQ(parsed.command->out, "run");
+  const auto bare = answer_to({"calibrate", "case.toml"}).parsed;
+  EXPECT_FALSE(bare.command->readings);
+  EXPECT_FALSE(bare.command->until);
+}
+
 TEST(CommandLine, EndsWellAfterHelpAndVersionOnStandardOutput) {
   for (const auto& words : std::vector<std::vector<const char*>>{
            {"--help"}, {"-h"}, {"run", "--help"}, {"--version"}}) {
@@ -103,7 +117,9 @@ TEST(CommandLine, RefusesWrongUsageWithExitCode2OnStandardError) {
            {"import", "case.toml", "--hours", "-1"},
            {"import", "case.toml", "--hours", "1", "--unit", "inch"},
            {"import", "case.toml", "--hours", "1", "--align", "well"},
-           {"compare", "case.toml", "--profiles", "a.csv"}}) {
+           {"compare", "case.toml", "--profiles", "a.csv"},
+           {"calibrate", "case.toml", "--until", "-1"},
+           {"wear", "case.toml", "--until", "4000"}}) {
     const Answer answer = answer_to(words);
     EXPECT_FALSE(answer.parsed.command);
     EXPECT_EQ(answer.parsed.exit_code, 2);

@@ -108,14 +108,20 @@ nlohmann::json json_of(const CalibratedLaw& law) {
           {"wear_toml", wear_table(law)}};
 }
 
+/// Without the only mechanism there is no fit.
+std::string rise_cell(double rise) {
+  return std::isfinite(rise) ? fmt::format("{:.1f}", rise) : "-";
+}
+
 void print_coefficients(const CalibratedLaw& law) {
   fmt::print("Campaign  {}\n\n", spoken(law.campaign.wear.mechanisms, law.campaign.materials));
   fmt::print("mechanism                      coefficient  std error        95 % interval   rise\n");
   for (std::size_t i = 0; i < law.other.wear.mechanisms.size(); ++i) {
     const Coefficient found = coefficient_of(law, i);
-    fmt::print("{} {:<18} {:>19.4g} {:>10.2g} {:>10.3g} {:>10.3g} {:>6.1f}  {}\n", i + 1,
+    fmt::print("{} {:<18} {:>19.4g} {:>10.2g} {:>10.3g} {:>10.3g} {:>6}  {}\n", i + 1,
                name_of(law.other.wear.mechanisms[i].law), found.value, found.error, found.low,
-               found.high, law.found.rise_without[static_cast<Eigen::Index>(i)], found.key);
+               found.high, rise_cell(law.found.rise_without[static_cast<Eigen::Index>(i)]),
+               found.key);
   }
   fmt::print("chi-square {:.1f} of {} degrees of freedom", law.found.fit.chi_square,
              law.found.freedom);

@@ -21,6 +21,7 @@ namespace {
 constexpr double seconds_per_hour = 3600.0;
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr Eigen::Index zones = 12;
+constexpr double errors_beyond = 2.0;
 constexpr std::array uses = {ReadingUse::fitted, ReadingUse::shown, ReadingUse::held_out};
 constexpr std::array quantities = {MeasuredQuantity::lifter_height,
                                    MeasuredQuantity::plate_thickness,
@@ -35,13 +36,19 @@ struct ShownLoss {
   double error;
 };
 
+/// Whether the campaign has worn its liner as far as a reading, within two of its errors: to leave
+/// out every reading that noise puts behind the end would favour the slow ones.
 bool reached_by(const wear::WearPath& path, const GaugeReading& reading,
                 const LinerProfile& fresh) {
+  const double error = errors_beyond * reading.error;
   if (reading.profile)
-    return steel_area(fresh) - steel_area(*reading.profile) <= path.lost.head(zones).sum();
+    return steel_area(fresh) - steel_area(*reading.profile) <=
+           path.lost.head(zones).sum() + error * arc_lengths(*reading.profile).back();
   if (reading.lifter_height)
-    return lifter_height(fresh) - *reading.lifter_height <= path.lost[path.channels.height()];
-  return plate_thickness(fresh) - *reading.plate_thickness <= path.lost[path.channels.plate()];
+    return lifter_height(fresh) - *reading.lifter_height <=
+           path.lost[path.channels.height()] + error;
+  return plate_thickness(fresh) - *reading.plate_thickness <=
+         path.lost[path.channels.plate()] + error;
 }
 
 ReadingUse use_of(const wear::WearPath& path, const GaugeReading& reading,

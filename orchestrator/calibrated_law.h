@@ -15,7 +15,7 @@ enum class ReadingUse {
   fitted,          ///< the coefficients were fitted to it
   shown,           ///< predicted beside a fitted one of the same reading: a profile's height
   held_out,        ///< later than asked for: predicted from the earlier ones alone
-  beyond_campaign  ///< more worn than the campaign's last liner: neither fitted nor predicted
+  beyond_campaign  ///< more worn than the campaign's last liner by over two errors: left out
 };
 [[nodiscard]] std::string_view name_of(ReadingUse use);
 

@@ -64,7 +64,8 @@ constexpr std::array<VerbText, 10> verbs = {{
 
 void add_common_options(CLI::App& verb, Command& command) {
   verb.add_option("case", command.case_file, "The case file (docs/case_file.md)")->required();
-  verb.add_option("--out", command.out, "Folder of the results; by default runs/NAME");
+  if (verb.get_name() != "import")
+    verb.add_option("--out", command.out, "Folder of the results; by default runs/NAME");
   verb.add_flag_callback(
       "--json", [&] { command.form = OutputForm::json; }, "Print results as JSON");
   verb.add_flag_callback(

@@ -141,9 +141,11 @@ void place_among_others(const Case& mill, const ImportRequest& request, Imported
 }  // namespace
 
 std::string profile_name(double operating_hours) {
-  return operating_hours == std::floor(operating_hours)
-             ? fmt::format("profile_{:07.0f}h.csv", operating_hours)
-             : fmt::format("profile_{:09}h.csv", operating_hours);
+  constexpr std::size_t digits_before_the_point = 7;
+  const std::string hours = fmt::format("{}", operating_hours);
+  const std::size_t digits = std::min(hours.find('.'), hours.size());
+  const std::size_t missing = digits_before_the_point - std::min(digits, digits_before_the_point);
+  return fmt::format("profile_{}{}h.csv", std::string(missing, '0'), hours);
 }
 
 ImportedReading prepare_reading(const Case& mill, const ImportRequest& request) {

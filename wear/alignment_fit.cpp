@@ -36,6 +36,8 @@ constexpr double least_scatter_of_error = 0.02;
 constexpr double least_used_share = 0.3;
 constexpr double most_scatter_of_error = 1.5;
 constexpr double least_hold = 0.05;
+constexpr double stands_out_over_error = 3.0;
+constexpr double most_standing_out = 0.05;
 constexpr double nearly_as_good = 0.95;
 constexpr double mirrored_better = 0.99;
 
@@ -90,9 +92,11 @@ class Fit {
     Eigen::Vector2d centre = Eigen::Vector2d::Zero();
     std::vector<SurfacePlace> used;
     Curve points;
+    int standing_out = 0;
     for (const auto& place : places_) {
       const Eigen::Vector2d point = pose.motion(place);
       const auto on = surface_.place(point);
+      if (on.height > stands_out_over_error * error_) ++standing_out;
       if (!is_used(on.height, scale)) continue;
       sum += on.height * on.height;
       centre += point;
@@ -100,7 +104,7 @@ class Fit {
       points.push_back(point);
     }
     const auto count = static_cast<double>(used.size());
-    if (used.empty()) return {std::numeric_limits<double>::infinity(), 0.0, 0.0};
+    if (used.empty()) return {std::numeric_limits<double>::infinity(), 0.0, 0.0, 1.0};
     centre /= count;
     double lever = 0.0;
     for (const auto& point : points) lever += (point - centre).squaredNorm() / count;
@@ -111,7 +115,8 @@ class Fit {
       normal += row * row.transpose() / count;
     }
     const double least = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(normal).eigenvalues()[0];
-    return {std::sqrt(sum / count), count / places_along, std::sqrt(std::max(least, 0.0))};
+    return {std::sqrt(sum / count), count / places_along, std::sqrt(std::max(least, 0.0)),
+            static_cast<double>(standing_out) / places_along};
   }
 
   [[nodiscard]] AlignedCurve aligned(const Pose& pose) const {
@@ -321,10 +326,18 @@ void check_quality(const FitQuality& quality, double error) {
         "do; look at its units, give a reference that is worn like it, or align it by its ends",
         100.0 * quality.used_share, 100.0 * least_used_share));
   if (quality.rms > most_scatter_of_error * error)
+    throw InputError(
+        fmt::format("the curve lies {:.2f} mm (rms) from the reference where it fits best, and its "
+                    "error is said "
+                    "to be {:.2f} mm; if all of it is worn, align it by its ends or on an earlier "
+                    "profile, else "
+                    "give the error that it has",
+                    1e3 * quality.rms, 1e3 * error));
+  if (quality.standing_out > most_standing_out)
     throw InputError(fmt::format(
-        "the curve lies {:.2f} mm (rms) from the reference where it is not worn, and its error is "
-        "said to be {:.2f} mm; give the error that it has",
-        1e3 * quality.rms, 1e3 * error));
+        "where the curve fits best, {:.0f} % of it stands out of the reference by more than three "
+        "errors; if all of it is worn, align it by its ends or on an earlier profile",
+        100.0 * quality.standing_out));
   if (quality.hold < least_hold)
     throw InputError(fmt::format(
         "the fit is ambiguous: what is unworn of the curve ({:.0f} % of it) lets it slide along "

@@ -256,6 +256,7 @@ TEST(ProfileName, SortsByHours) {
   EXPECT_EQ(profile_name(5112), "profile_0005112h.csv");
   EXPECT_EQ(profile_name(0), "profile_0000000h.csv");
   EXPECT_EQ(profile_name(100.5), "profile_0000100.5h.csv");
+  EXPECT_EQ(profile_name(15410.637), "profile_0015410.637h.csv");
 }
 
 }  // namespace

@@ -81,6 +81,10 @@ std::string_view name_of(ContactPath path) {
   return path == ContactPath::recorder ? "recorder" : "dumps";
 }
 
+std::string_view name_of(SmoothingMethod method) {
+  return method == SmoothingMethod::paper ? "paper" : "penalised";
+}
+
 std::string_view name_of(Scheme scheme) {
   return scheme == Scheme::adaptive ? "adaptive" : "threshold";
 }

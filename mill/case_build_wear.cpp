@@ -106,7 +106,9 @@ WearSettings build_wear(const CaseDocument& document, const std::vector<Material
   return {.mechanisms = build_mechanisms(document, materials, problems),
           .bins = integer_value(wear, "bins"),
           .time_blocks = integer_value(wear, "time_blocks"),
-          .excess_speed = real_value(wear, "excess_speed_m_per_s")};
+          .excess_speed = real_value(wear, "excess_speed_m_per_s"),
+          .smoothing = text_value(wear, "smoothing") == "paper" ? SmoothingMethod::paper
+                                                                : SmoothingMethod::penalised};
 }
 
 }  // namespace millwear

@@ -135,6 +135,7 @@ void write_wear(const Case& mill, LockWriter& lock) {
   }
   lock.key("bins", wear.bins);
   lock.key("time_blocks", wear.time_blocks);
+  lock.text("smoothing", name_of(wear.smoothing));
   lock.key("excess_speed_m_per_s", wear.excess_speed);
   if (short_form) {
     return;

@@ -171,6 +171,9 @@ constexpr KeySpec keys[] = {
      "bins along one pitch of the liner"},
     {"wear", "time_blocks", integer, defaulted, "10", between(2, 1000), "",
      "replicates of the load in one measurement"},
+    {"wear", "smoothing", choice, defaulted, "\"penalised\"", any, "penalised|paper",
+     "how the load is smoothed along the profile: `penalised` as much as its noise asks for, "
+     "`paper` by the two splines of the 2006 paper"},
     {"wear", "excess_speed_m_per_s", real, defaulted, "0.1", between(0.0, 100.0), "",
      "speed of impact above which the excess kinetic energy counts [m/s]"},
 

@@ -15,6 +15,9 @@ namespace {
 /// Relative difference of computed and declared filling that is not worth a word.
 constexpr double filling_tolerance = 0.1;
 
+/// Fewer time blocks leave standard errors of the load so uncertain that its bands get wide.
+constexpr int advised_time_blocks = 5;
+
 /// The first mechanism that counts collisions one by one, or nullptr.
 const WearMechanism* law_of_impacts(const Case& mill) {
   const auto& all = mill.wear.mechanisms;
@@ -64,6 +67,13 @@ std::vector<std::string> warnings(const Case& mill) {
                     "mm); {:.0f} or more would resolve single contacts",
                     bin * 1e3, 0.25 * smallest * 1e3,
                     std::ceil(arc_lengths(mill.liner).back() / (0.25 * smallest))));
+  }
+  if (const int blocks = mill.wear.time_blocks; blocks < advised_time_blocks) {
+    texts.push_back(
+        fmt::format("the standard errors of the load come from {} time blocks, and their bands are "
+                    "wide for want of more (Student's distribution of {} degree{} of freedom); {} "
+                    "or more would do",
+                    blocks, blocks - 1, blocks == 2 ? "" : "s", advised_time_blocks));
   }
   if (const WearMechanism* const law = law_of_impacts(mill);
       law != nullptr && mill.dem.sample_every_steps > 1) {

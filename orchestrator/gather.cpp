@@ -37,16 +37,15 @@ std::vector<Eigen::Vector2d> places_on(const LinerProfile& profile, const Eigen:
 
 /// One measure of the load per surface of one lifter and per second, smoothed like the loss.
 LoadLine rate_line(const WallLoad& load, Measure measure, const Eigen::ArrayXd& divisor,
-                   double resolution) {
+                   const wear::Smoothing& how) {
   const Eigen::MatrixXd by_block = load.by_block(measure);
   const Eigen::VectorXd raw = load.total(measure).array() / divisor;
   const Eigen::MatrixXd block_rates =
       (by_block.array().colwise() / divisor).matrix() * static_cast<double>(load.block_count);
   const Eigen::VectorXd positive = raw.cwiseMax(0.0);
-  const auto smooth =
-      positive.sum() > 0.0
-          ? wear::smoothed(load.bin_edges, positive, block_rates, resolution).rate.values
-          : positive;
+  const auto smooth = positive.sum() > 0.0
+                          ? wear::smoothed(load.bin_edges, positive, block_rates, how).rate.values
+                          : positive;
   return {as_vector(raw), as_vector(wear::error_of_mean(block_rates)), as_vector(smooth)};
 }
 
@@ -55,16 +54,16 @@ LoadAlongProfile load_of_cycle(const Campaign& campaign, int cycle, const WallLo
   const auto& load = rate.load;
   const Eigen::VectorXd widths = load.bin_widths();
   const Eigen::VectorXd centres = load.bin_edges.head(load.bins()) + 0.5 * widths;
-  const double resolution = wear::smoothing_resolution(campaign.mill);
+  const auto how = wear::smoothing_of(campaign.mill);
   const Eigen::ArrayXd surface_time =
       load.bin_area().array() * static_cast<double>(load.rows) * load.duration;
   return {cycle,
           as_vector(centres),
           as_vector(widths),
           places_on(liner_of_cycle(campaign, cycle), centres),
-          rate_line(load, Measure::samples, widths.array(), resolution),
-          rate_line(load, Measure::normal_dissipation, surface_time, resolution),
-          rate_line(load, Measure::sliding_work, surface_time, resolution),
+          rate_line(load, Measure::samples, widths.array(), how),
+          rate_line(load, Measure::normal_dissipation, surface_time, how),
+          rate_line(load, Measure::sliding_work, surface_time, how),
           {as_vector(rate.raw), {}, as_vector(rate.smoothed.rate.values)}};
 }
 

@@ -37,7 +37,7 @@ library() {
 }
 library gmsh "gmsh\.h" meshgen/gmsh_kernel.cpp
 library dxflib "dxflib/|dl_" meshgen/dxf_polyline.cpp
-library GSL "gsl/" wear/penalised_spline.cpp
+library GSL "gsl/" wear/spline_basis.cpp wear/paper_spline.cpp wear/gsl_status.h
 library HDF5 "hdf5|H5" wear/hdf5_file.cpp wear/load_read.cpp wear/load_write.cpp \
   wear/collision_store.cpp
 library Clipper "polyclipping/|clipper" wear/steel_cut.cpp wear/area_between.cpp

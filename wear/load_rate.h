@@ -12,9 +12,9 @@ struct LoadRate {
   SmoothedLoss smoothed;  ///< the same, smoothed along the profile, with its errors
 };
 
-/// The load of one measurement is not resolved along the profile any finer than this [m]: the
+/// How a case's loads are smoothed: by its method, and resolved no finer along the profile than the
 /// radius of the smallest particle.
-[[nodiscard]] double smoothing_resolution(const Case& mill);
+[[nodiscard]] Smoothing smoothing_of(const Case& mill);
 
 /// Lays the case's bins on a recorded load, applies the wear law and smooths the loss that goes
 /// with contacts. Corrosion is the same everywhere, has no error, and is added after the smoothing.

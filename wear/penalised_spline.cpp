@@ -1,82 +1,26 @@
 #include "wear/penalised_spline.h"
 
 #include <fmt/format.h>
-#include <gsl/gsl_bspline.h>
-#include <gsl/gsl_errno.h>
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 
 #include "mill/failure.h"
+#include "wear/spline_basis.h"
 
 namespace millwear::wear {
 namespace {
 
-constexpr std::size_t order = 4;
-/// lambda is looked for from where even the roughest shape is kept to where all but one are lost.
+/// lambda is looked for from where even the roughest shape is kept to where only the constant is.
 constexpr int grid_of_strengths = 200;
 constexpr double beyond_the_shapes = 100.0;
-
-class ErrorHandlerOff {
- public:
-  ErrorHandlerOff() : previous_(gsl_set_error_handler_off()) {}
-  ~ErrorHandlerOff() { gsl_set_error_handler(previous_); }
-  ErrorHandlerOff(const ErrorHandlerOff&) = delete;
-  ErrorHandlerOff& operator=(const ErrorHandlerOff&) = delete;
-
- private:
-  gsl_error_handler_t* previous_;
-};
-
-template <auto release>
-struct Release {
-  template <typename T>
-  void operator()(T* object) const {
-    release(object);
-  }
-};
-using Vector = std::unique_ptr<gsl_vector, Release<gsl_vector_free>>;
-using Splines = std::unique_ptr<gsl_bspline_workspace, Release<gsl_bspline_free>>;
+/// Of the roughest shape; what is below is rounding.
+constexpr double least_roughness = 1e-14;
 
 [[noreturn]] void refuse(const char* reason) {
   throw ResultRejected(fmt::format("the load cannot be smoothed along the profile: {}", reason));
-}
-
-void check(int status) {
-  if (status != GSL_SUCCESS) refuse(gsl_strerror(status));
-}
-
-template <typename Owner, typename T>
-Owner allocated(T* object) {
-  if (object == nullptr) check(GSL_ENOMEM);
-  return Owner(object);
-}
-
-/// Rows of the uniform periodic B-splines of period 1 at the centres of the bins: the splines of
-/// three more intervals on each side are folded onto the period, where the clamped ends of GSL's
-/// knots are out of sight.
-Eigen::MatrixXd periodic_design(Eigen::Index bins, Eigen::Index coefficients) {
-  const ErrorHandlerOff quiet;
-  const std::size_t margin = order - 1;
-  const std::size_t breaks = static_cast<std::size_t>(coefficients) + 2 * margin + 1;
-  const auto splines = allocated<Splines>(gsl_bspline_alloc(order, breaks));
-  const double spacing = 1.0 / static_cast<double>(coefficients);
-  const double first = -static_cast<double>(margin) * spacing;
-  check(gsl_bspline_knots_uniform(first, 1.0 - first, splines.get()));
-  const auto row = allocated<Vector>(gsl_vector_calloc(gsl_bspline_ncoeffs(splines.get())));
-  Eigen::MatrixXd design = Eigen::MatrixXd::Zero(bins, coefficients);
-  for (Eigen::Index i = 0; i < bins; ++i) {
-    const double place = (static_cast<double>(i) + 0.5) / static_cast<double>(bins);
-    check(gsl_bspline_eval(place, row.get(), splines.get()));
-    for (std::size_t j = margin; j + margin < row->size; ++j) {
-      design(i, static_cast<Eigen::Index>(j - margin) % coefficients) +=
-          gsl_vector_get(row.get(), j);
-    }
-  }
-  return design;
 }
 
 /// D^T D of the periodic second differences D.
@@ -90,24 +34,26 @@ Eigen::MatrixXd periodic_penalty(Eigen::Index coefficients) {
   return difference.transpose() * difference;
 }
 
-/// The shapes U and their roughness, smoothest first; the first, the constant, has none.
+/// The shapes U that the penalty tells apart, U^T W U = 1, smoothest first; the first is constant.
 struct Shapes {
-  Eigen::MatrixXd at_data;
+  Eigen::MatrixXd at_bins;
   Eigen::VectorXd roughness;
 };
 
-Shapes shapes_of(const Eigen::MatrixXd& design, const Eigen::VectorXd& weights) {
-  const Eigen::MatrixXd normal = design.transpose() * weights.asDiagonal() * design;
+Shapes shapes_of(const Eigen::MatrixXd& splines, const Eigen::VectorXd& weights) {
+  const Eigen::MatrixXd normal = splines.transpose() * weights.asDiagonal() * splines;
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(
-      periodic_penalty(design.cols()), normal);
+      periodic_penalty(splines.cols()), normal);
   if (solver.info() != Eigen::Success) refuse("its shapes cannot be told apart");
-  Shapes shapes{design * solver.eigenvectors(), solver.eigenvalues().cwiseMax(0.0)};
+  const Eigen::VectorXd roughness = solver.eigenvalues();
+  Shapes shapes{splines * solver.eigenvectors(),
+                roughness.cwiseMax(least_roughness * roughness.maxCoeff())};
   shapes.roughness[0] = 0.0;
-  if (!shapes.at_data.allFinite()) refuse("a value of a shape is not finite");
+  if (!shapes.at_bins.allFinite()) refuse("a shape is not finite");
   return shapes;
 }
 
-Eigen::VectorXd kept_at(const Eigen::VectorXd& roughness, double strength) {
+Eigen::ArrayXd kept_at(const Eigen::VectorXd& roughness, double strength) {
   return (1.0 + strength * strength * roughness.array()).inverse();
 }
 
@@ -124,7 +70,7 @@ double best_strength(const Eigen::VectorXd& roughness, const Score& score) {
   Eigen::Index best = 0;
   if (!(scores.minCoeff(&best) < std::numeric_limits<double>::infinity()))
     refuse("no strength of the penalty fits");
-  double vertex = static_cast<double>(best);
+  auto vertex = static_cast<double>(best);
   if (best > 0 && best + 1 < grid_of_strengths) {
     const double before = scores[best - 1] - scores[best];
     const double after = scores[best + 1] - scores[best];
@@ -133,33 +79,42 @@ double best_strength(const Eigen::VectorXd& roughness, const Score& score) {
   return std::exp(from + step * vertex);
 }
 
-}  // namespace
-
-PenalisedFit fit_periodic_spline(const Eigen::VectorXd& values, const Eigen::VectorXd& weights,
-                                 Eigen::Index coefficients) {
-  auto [shapes, roughness] = shapes_of(periodic_design(values.size(), coefficients), weights);
-  const Eigen::VectorXd found = shapes.transpose() * weights.cwiseProduct(values);
-  const double outside = std::max(values.cwiseAbs2().dot(weights) - found.squaredNorm(), 0.0);
-  const auto residual = [&](const Eigen::VectorXd& kept) {
-    return outside + ((1.0 - kept.array()) * found.array()).square().sum();
-  };
-  const auto freedom = [&](const Eigen::VectorXd& kept) {
-    return static_cast<double>(values.size()) - kept.sum();
-  };
-  const double strength = best_strength(roughness, [&](const Eigen::VectorXd& kept) {
-    return residual(kept) / (freedom(kept) * freedom(kept));
-  });
-  const Eigen::VectorXd kept = kept_at(roughness, strength);
-  Eigen::VectorXd smooth = shapes * kept.cwiseProduct(found);
-  if (!smooth.allFinite()) refuse("the fit is not finite");
-  return {std::move(smooth), strength,
-          std::move(shapes), kept,
-          weights,           residual(kept) / freedom(kept)};
+Eigen::MatrixXd bias_of(const Shapes& shapes, const Eigen::ArrayXd& kept,
+                        const Eigen::ArrayXd& noise) {
+  const Eigen::ArrayXd lost = (kept * (1.0 - kept)).max(0.0);
+  const double weight = lost.sum();
+  const double variance = weight > 0.0 ? (lost * noise).sum() / weight : 0.0;
+  const Eigen::Index rough = kept.size() - 1;
+  return shapes.at_bins.rightCols(rough) *
+         (variance * lost.tail(rough)).sqrt().matrix().asDiagonal();
 }
 
-Eigen::MatrixXd fitted(const PenalisedFit& fit, const Eigen::MatrixXd& columns) {
-  return fit.shapes *
-         (fit.kept.asDiagonal() * (fit.shapes.transpose() * (fit.weights.asDiagonal() * columns)));
+}  // namespace
+
+LinearSmoother penalised_spline(const Eigen::VectorXd& values, const Eigen::VectorXd& weights,
+                                const Eigen::MatrixXd& deviations, Eigen::Index coefficients) {
+  const auto bins = static_cast<double>(values.size());
+  const Shapes shapes = shapes_of(periodic_splines(values.size(), coefficients), weights);
+  const Eigen::MatrixXd onto_shapes = shapes.at_bins.transpose() * weights.asDiagonal();
+  const Eigen::ArrayXd found = (onto_shapes * values).array();
+  const double outside =
+      std::max(values.cwiseAbs2().dot(weights) - found.matrix().squaredNorm(), 0.0);
+  const auto residual = [&](const Eigen::ArrayXd& kept) {
+    return outside + ((1.0 - kept) * found).square().sum();
+  };
+  double strength = best_strength(shapes.roughness, [&](const Eigen::ArrayXd& kept) {
+    return residual(kept) / std::pow(bins - kept.sum(), 2);
+  });
+  Eigen::ArrayXd noise = Eigen::ArrayXd::Zero(coefficients);
+  if (deviations.cols() > 0) {
+    noise = (onto_shapes * deviations).rowwise().squaredNorm();
+    strength = std::max(strength, best_strength(shapes.roughness, [&](const Eigen::ArrayXd& kept) {
+                          return residual(kept) + 2.0 * (kept * noise).sum();
+                        }));
+  }
+  const Eigen::ArrayXd kept = kept_at(shapes.roughness, strength);
+  return {shapes.at_bins * kept.matrix().asDiagonal() * onto_shapes, strength,
+          bias_of(shapes, kept, noise)};
 }
 
 }  // namespace millwear::wear

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "mill/failure.h"
+#include "wear/paper_spline.h"
 #include "wear/penalised_spline.h"
 
 namespace millwear::wear {
@@ -15,6 +17,7 @@ constexpr Eigen::Index fewest_bins = 8;
 constexpr Eigen::Index fewest_coefficients = 4;
 constexpr Eigen::Index most_coefficients = 128;
 constexpr Eigen::Index variance_half_width = 2;
+constexpr Eigen::Index widest_peak_half_width = 2;
 constexpr double variance_floor = 0.01;
 constexpr Eigen::Index shortest_unloaded_stretch = 3;
 constexpr double even_to = 1e-6;
@@ -37,29 +40,32 @@ void check(const Eigen::VectorXd& bin_edges, const Eigen::VectorXd& rate,
   }
 }
 
-Eigen::VectorXd periodic_mean(const Eigen::VectorXd& values, Eigen::Index half_width) {
-  const Eigen::Index n = values.size();
-  Eigen::VectorXd mean = Eigen::VectorXd::Zero(n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    for (Eigen::Index j = -half_width; j <= half_width; ++j) {
-      mean[i] += values[(i + j + n) % n];
-    }
+/// Every column averaged over a bin and `half_width` neighbours on each side.
+Eigen::MatrixXd periodic_mean(const Eigen::MatrixXd& values, Eigen::Index half_width) {
+  const Eigen::Index n = values.rows();
+  Eigen::MatrixXd sum = values;
+  for (Eigen::Index shift = 1; shift <= half_width; ++shift) {
+    sum.topRows(n - shift) += values.bottomRows(n - shift);
+    sum.bottomRows(shift) += values.topRows(shift);
+    sum.bottomRows(n - shift) += values.topRows(n - shift);
+    sum.topRows(shift) += values.bottomRows(shift);
   }
-  return mean / static_cast<double>(2 * half_width + 1);
+  return sum / static_cast<double>(2 * half_width + 1);
 }
 
-/// Deviation of every block from their mean, so that the sum of squares is the mean's variance.
+/// Deviation of every block from their mean, so that the sum of squares is the mean's variance. No
+/// columns with fewer than two blocks.
 Eigen::MatrixXd deviations_of(const Eigen::MatrixXd& by_block) {
+  if (by_block.cols() < 2) return Eigen::MatrixXd(by_block.rows(), 0);
   const auto blocks = static_cast<double>(by_block.cols());
   const Eigen::VectorXd mean = by_block.rowwise().mean();
   return (by_block.colwise() - mean) / std::sqrt(blocks * (blocks - 1.0));
 }
 
-Eigen::VectorXd weights_from(const Eigen::MatrixXd& by_block) {
-  if (by_block.cols() < 2) return Eigen::VectorXd::Ones(by_block.rows());
-  const Eigen::VectorXd variance = deviations_of(by_block).rowwise().squaredNorm();
+Eigen::VectorXd weights_from(const Eigen::MatrixXd& deviations) {
+  const Eigen::VectorXd variance = deviations.rowwise().squaredNorm();
   const double typical = variance.mean();
-  if (!(typical > 0.0)) return Eigen::VectorXd::Ones(by_block.rows());
+  if (!(typical > 0.0)) return Eigen::VectorXd::Ones(deviations.rows());
   return typical * periodic_mean(variance, variance_half_width)
                        .cwiseMax(variance_floor * typical)
                        .cwiseInverse();
@@ -81,12 +87,27 @@ Eigen::ArrayXd loaded_places(const Eigen::VectorXd& rate) {
   return loaded;
 }
 
-/// Shapes of the bias: U diag(sigma sqrt(k (1 - k))), k the share of each shape that the fit keeps.
-Eigen::MatrixXd bias_of(const PenalisedFit& fit) {
-  const Eigen::ArrayXd spread =
-      (fit.variance * fit.kept.array() * (1.0 - fit.kept.array())).max(0.0).sqrt();
-  const Eigen::Index most = fit.kept.size() - 1;
-  return fit.shapes.rightCols(most) * spread.tail(most).matrix().asDiagonal();
+/// What is left of the residuals where they are larger than their noise: peaks that are sharper
+/// than the smoother.
+Eigen::VectorXd sharper_than(const Eigen::MatrixXd& hat, const Eigen::VectorXd& rate,
+                             const Eigen::MatrixXd& deviations) {
+  const Eigen::VectorXd residual = rate - hat * rate;
+  const Eigen::MatrixXd noise = deviations - hat * deviations;
+  Eigen::ArrayXd mode = Eigen::ArrayXd::Zero(rate.size());
+  for (Eigen::Index half_width = 0; half_width <= widest_peak_half_width; ++half_width) {
+    const Eigen::ArrayXd mean = periodic_mean(residual, half_width).array();
+    const Eigen::ArrayXd variance = periodic_mean(noise, half_width).rowwise().squaredNorm();
+    const Eigen::ArrayXd excess = (mean.square() - variance).max(0.0).sqrt();
+    mode = (excess > mode.abs()).select(mean.sign() * excess, mode);
+  }
+  return mode;
+}
+
+Eigen::MatrixXd bias_of(const LinearSmoother& smoother, const Eigen::VectorXd& rate,
+                        const Eigen::MatrixXd& deviations) {
+  Eigen::MatrixXd modes(rate.size(), smoother.bias_modes.cols() + 1);
+  modes << smoother.bias_modes, sharper_than(smoother.hat, rate, deviations);
+  return modes;
 }
 
 /// What becomes of deviations of a fit where the fit is cut to the loaded places and scaled by
@@ -106,43 +127,51 @@ Eigen::Index coefficients_for(const Eigen::VectorXd& bin_edges, double resolutio
   return std::clamp(resolved, fewest_coefficients, std::min(most_coefficients, bins / 2));
 }
 
+LinearSmoother smoother_for(const Eigen::VectorXd& bin_edges, const Eigen::VectorXd& rate,
+                            const Eigen::MatrixXd& deviations, const Smoothing& how) {
+  switch (how.method) {
+    case SmoothingMethod::penalised:
+      return penalised_spline(rate, weights_from(deviations), deviations,
+                              coefficients_for(bin_edges, how.resolution));
+    case SmoothingMethod::paper:
+      return paper_spline(rate.size());
+  }
+  throw std::logic_error("a smoothing of no kind");
+}
+
 }  // namespace
 
 SmoothedLoss smoothed(const Eigen::VectorXd& bin_edges, const Eigen::VectorXd& rate,
-                      const Eigen::MatrixXd& by_block, double resolution) {
+                      const Eigen::MatrixXd& by_block, const Smoothing& how) {
   check(bin_edges, rate, by_block);
   const Eigen::Index bins = rate.size();
-  const Eigen::Index blocks = by_block.cols();
-  const Eigen::Index replicates = blocks < 2 ? 0 : blocks;
+  const Eigen::MatrixXd deviations = deviations_of(by_block);
   const double before = rate.sum();
   if (before == 0.0) {
     return {{bin_edges, rate},
             0.0,
             0.0,
-            Eigen::MatrixXd::Zero(bins, replicates),
-            Eigen::MatrixXd::Zero(bins, 0)};
+            Eigen::MatrixXd::Zero(bins, deviations.cols()),
+            Eigen::MatrixXd(bins, 0)};
   }
-  const Eigen::Index coefficients = coefficients_for(bin_edges, resolution);
-  const double scale = rate.maxCoeff();
-  const auto fit = fit_periodic_spline(rate / scale, weights_from(by_block), coefficients);
+  const double unit = rate.maxCoeff();
+  const auto smoother = smoother_for(bin_edges, rate / unit, deviations / unit, how);
   const Eigen::ArrayXd loaded = loaded_places(rate);
-  Eigen::VectorXd after = scale * fit.values.array().max(0.0) * loaded;
-  if (!(after.sum() > 0.0)) throw ResultRejected("smoothing left nothing of the load");
+  Eigen::VectorXd after = (smoother.hat * rate).array().max(0.0) * loaded;
   const double scaling = before / after.sum();
+  if (!(scaling > 0.0 && std::isfinite(scaling)))
+    throw ResultRejected("smoothing left nothing of the load");
   after *= scaling;
   const double moved = 0.5 * (after - rate).lpNorm<1>() / before;
-  if (replicates == 0) {
-    const Eigen::MatrixXd unknown(bins, 0);
-    return {{bin_edges, after}, moved, fit.strength, unknown, unknown};
-  }
-  const Eigen::MatrixXd deviations = deviations_of(by_block);
-  const Eigen::MatrixXd bias = scale * bias_of(fit);
-  return {
-      {bin_edges, after},
-      moved,
-      fit.strength,
-      cut_and_scaled(fitted(fit, deviations), loaded, scaling, after, deviations.colwise().sum()),
-      cut_and_scaled(bias, loaded, scaling, after, Eigen::RowVectorXd::Zero(bias.cols()))};
+  if (deviations.cols() == 0)
+    return {{bin_edges, after}, moved, smoother.strength, deviations, deviations};
+  const Eigen::MatrixXd noise = smoother.hat * deviations;
+  const Eigen::MatrixXd bias = unit * bias_of(smoother, rate / unit, deviations / unit);
+  return {{bin_edges, after},
+          moved,
+          smoother.strength,
+          cut_and_scaled(noise, loaded, scaling, after, deviations.colwise().sum()),
+          cut_and_scaled(bias, loaded, scaling, after, Eigen::RowVectorXd::Zero(bias.cols()))};
 }
 
 }  // namespace millwear::wear

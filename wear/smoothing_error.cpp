@@ -27,7 +27,7 @@ double peak_error(const SmoothedLoss& loss) {
   const Eigen::Index bins = rate.size();
   const double greatest = rate.maxCoeff();
   if (loss.block_modes.cols() < 2 || !(greatest > 0.0)) return unknown;
-  const Eigen::VectorXd error = standard_error(loss);
+  const Eigen::VectorXd error = loss.block_modes.rowwise().norm();
   double largest = 0.0;
   for (Eigen::Index i = 0; i < bins; ++i) {
     const double neighbours = std::max(rate[(i + bins - 1) % bins], rate[(i + 1) % bins]);

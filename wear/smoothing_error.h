@@ -11,7 +11,9 @@ namespace millwear::wear {
 [[nodiscard]] Eigen::VectorXd standard_error(const SmoothedLoss& loss);
 
 /// The largest relative standard error of the smoothed rate over its peaks [-]: local maxima along
-/// the periodic profile above half of the greatest. NaN with fewer than two blocks, or no loss.
+/// the periodic profile above half of the greatest. Only the noise of the blocks counts: a longer
+/// measurement makes this less, while a peak that is sharper than the smoothing stays lowered.
+/// NaN with fewer than two blocks, or no loss.
 [[nodiscard]] double peak_error(const SmoothedLoss& loss);
 
 /// Deviations from the smoothed rate that another measurement of the same length may have shown,

@@ -7,6 +7,7 @@
 #include "mill/parametric_lifter.h"
 #include "wear/load_accumulator.h"
 #include "wear/profile_motion.h"
+#include "wear/smoothing_error.h"
 
 namespace millwear::wear {
 namespace {
@@ -70,6 +71,56 @@ void move_one_step(benchmark::State& state) {
   state.counters["nodes"] = static_cast<double>(profile.nodes.size());
 }
 BENCHMARK(move_one_step)->Unit(benchmark::kMillisecond);
+
+/// Rates of 200 bins in 50 time blocks, of a sharp load and a noise of a half for every block.
+Eigen::MatrixXd noisy_rates() {
+  std::mt19937 random(3);
+  std::normal_distribution<double> noise(1.0, 0.5);
+  return Eigen::MatrixXd::NullaryExpr(200, 50, [&](auto bin, auto) {
+    return std::fmax(noise(random) * (1.0 + 3.0 * std::exp(-0.001 * (bin - 80) * (bin - 80))), 0.0);
+  });
+}
+
+Eigen::VectorXd edges_on(const LinerProfile& profile) {
+  return Eigen::VectorXd::LinSpaced(201, 0.0, arc_lengths(profile).back());
+}
+
+void smooth_with_errors(benchmark::State& state) {
+  const Eigen::VectorXd edges = edges_on(seed_lifter());
+  const Eigen::MatrixXd by_block = noisy_rates();
+  const Eigen::VectorXd rate = by_block.rowwise().mean();
+  const Smoothing how{static_cast<SmoothingMethod>(state.range(0)), 0.0};
+  for (auto _ : state)
+    benchmark::DoNotOptimize(standard_error(smoothed(edges, rate, by_block, how)));
+}
+BENCHMARK(smooth_with_errors)
+    ->Arg(static_cast<int>(SmoothingMethod::penalised))
+    ->Arg(static_cast<int>(SmoothingMethod::paper))
+    ->Unit(benchmark::kMillisecond);
+
+void make_replicates(benchmark::State& state) {
+  const Eigen::MatrixXd by_block = noisy_rates();
+  const auto loss = smoothed(edges_on(seed_lifter()), by_block.rowwise().mean(), by_block);
+  for (auto _ : state) benchmark::DoNotOptimize(rate_replicates(loss, 200, 1));
+}
+BENCHMARK(make_replicates)->Unit(benchmark::kMillisecond);
+
+/// All of one step of the geometry: the load smoothed with its errors, and the profile moved.
+void geometry_step(benchmark::State& state) {
+  const LinerProfile profile = seed_lifter();
+  const Eigen::VectorXd edges = edges_on(profile);
+  const Eigen::MatrixXd by_block = noisy_rates();
+  const Eigen::VectorXd rate = by_block.rowwise().mean();
+  const double area = 0.005 * lifter_area(profile);
+  for (auto _ : state) {
+    const auto loss = smoothed(edges, rate, by_block);
+    benchmark::DoNotOptimize(standard_error(loss));
+    const double bin = loss.rate.bin_width();
+    const auto nodes = loss_nodes(profile, bin, [&](double s) { return loss.rate.at(s); });
+    benchmark::DoNotOptimize(move_profile(profile, nodes, area, bin));
+  }
+}
+BENCHMARK(geometry_step)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace millwear::wear

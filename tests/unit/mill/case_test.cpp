@@ -70,6 +70,8 @@ TEST(Warnings, EachOddityHasOne) {
   EXPECT_EQ(warnings(mill).size(), 5U);
   mill.dem.sample_every_steps = 1;
   EXPECT_EQ(warnings(mill).size(), 4U);
+  mill.wear.time_blocks = 4;
+  EXPECT_EQ(warnings(mill).size(), 5U);
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ SmoothedLoss measured(const LinerProfile& liner, double rate, std::mt19937_64& r
 struct Campaign {
   double life;
   Band band;
-  double predicted_error;  ///< standard error of the life
+  double predicted_error;  ///< standard error of the life, from the band's width
 };
 
 Campaign campaign(const CampaignSettings& settings, double growth, std::uint64_t seed) {
@@ -62,7 +62,9 @@ Campaign campaign(const CampaignSettings& settings, double growth, std::uint64_t
     end = evolution.end;
   }
   const Eigen::VectorXd replicates = lives_of(cycles, bands_of(cycles, settings.scheme), settings);
-  return {time, band_of(replicates), std::sqrt((replicates.array() - time).square().mean())};
+  const Band band = band_of(replicates);
+  // A rate near zero makes a life without limit, and so the replicates have no variance.
+  return {time, band, (band.high - band.low) / (2.0 * 1.96)};
 }
 
 struct Coverage {

@@ -100,6 +100,13 @@ ChargeAngles no_charge_angles(std::size_t block_count) {
           Eigen::MatrixXd::Zero(degrees_around, blocks)};
 }
 
+ChargeAngles with_blocks(const ChargeAngles& angles, std::size_t block_count) {
+  ChargeAngles longer = no_charge_angles(block_count);
+  longer.contacts.leftCols(angles.contacts.cols()) = angles.contacts;
+  longer.normal_force.leftCols(angles.normal_force.cols()) = angles.normal_force;
+  return longer;
+}
+
 void add_contact(ChargeAngles& angles, double angle_from_six, double normal_force,
                  std::size_t block) {
   const Eigen::Index degree =

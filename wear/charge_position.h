@@ -15,6 +15,9 @@ struct ChargeAngles {
 
 [[nodiscard]] ChargeAngles no_charge_angles(std::size_t block_count);
 
+/// The same with time blocks added at the end, in which nothing touched yet.
+[[nodiscard]] ChargeAngles with_blocks(const ChargeAngles& angles, std::size_t block_count);
+
 /// Counts one contact at an angle from six o'clock [rad], -pi ... pi, with its force [N].
 void add_contact(ChargeAngles& angles, double angle_from_six, double normal_force,
                  std::size_t block);

@@ -12,6 +12,8 @@ namespace millwear::wear {
 namespace {
 
 constexpr double beyond_the_end = 1.000001;
+/// Share of a block: a time this little before its end lies in the next, whatever the rounding.
+constexpr double block_rounding = 1e-9;
 
 const LoadMeasurement& checked(const LoadMeasurement& m) {
   if (m.bins <= 0 || m.class_mass.empty() || m.block_count == 0 || m.particles == 0 ||
@@ -47,6 +49,21 @@ LinerRecord empty_record(const LinerSector& sector, const LoadMeasurement& m, do
           std::nullopt};
 }
 
+/// Columns for so many blocks of each class, those there are taken over and the rest zero.
+WallLoad with_blocks(const WallLoad& load, std::size_t block_count) {
+  WallLoad longer = load;
+  longer.block_count = block_count;
+  const auto had = static_cast<Eigen::Index>(load.block_count);
+  const auto blocks = static_cast<Eigen::Index>(block_count);
+  const auto classes = static_cast<Eigen::Index>(load.class_count);
+  for (std::size_t m = 0; m < measure_count; ++m) {
+    longer.values[m].setZero(load.bins(), classes * blocks);
+    for (Eigen::Index c = 0; c < classes; ++c)
+      longer.values[m].middleCols(c * blocks, had) = load.values[m].middleCols(c * had, had);
+  }
+  return longer;
+}
+
 double share(double rejected, double taken) {
   return rejected + taken > 0.0 ? rejected / (rejected + taken) : 0.0;
 }
@@ -62,6 +79,7 @@ LoadAccumulator::LoadAccumulator(const LinerProfile& profile, const LoadMeasurem
                                  CollisionTracker::Take ended)
     : sector_(profile.sector),
       measurement_(checked(measurement)),
+      block_duration_(measurement.duration / static_cast<double>(measurement.block_count)),
       index_(profile, measurement.contact_limit),
       cells_per_metre_(measurement.bins * cells_per_bin / index_.length()),
       record_(empty_record(sector_, measurement, index_.length())),
@@ -80,8 +98,8 @@ std::size_t LoadAccumulator::block_of(double time) const {
                     "beginning to its end only",
                     time, measurement_.duration));
   }
-  const auto blocks = static_cast<double>(measurement_.block_count);
-  const auto block = static_cast<std::size_t>(time / measurement_.duration * blocks);
+  const double middle = std::max(time - 0.5 * measurement_.sample_interval, 0.0);
+  const auto block = static_cast<std::size_t>(middle / block_duration_ + block_rounding);
   return std::min(block, measurement_.block_count - 1);
 }
 
@@ -181,6 +199,27 @@ void LoadAccumulator::close_block() {
           block_sums_.row(static_cast<Eigen::Index>(m)).segment(first, cells).matrix().transpose();
   }
   block_sums_.setZero();
+}
+
+void LoadAccumulator::go_on_until(double duration) {
+  const double blocks = std::round(duration / block_duration_);
+  if (!(blocks > static_cast<double>(measurement_.block_count)) ||
+      std::abs(blocks * block_duration_ - duration) > 1e-6 * block_duration_)
+    throw InputError(
+        fmt::format("a measurement of {} s in {} blocks cannot go on until {} s; a multiple of {} "
+                    "s above it can",
+                    measurement_.duration, measurement_.block_count, duration, block_duration_));
+  close_block();
+  measurement_.block_count = static_cast<std::size_t>(blocks);
+  measurement_.duration = duration;
+  record_.load = with_blocks(record_.load, measurement_.block_count);
+  record_.load.duration = duration;
+  record_.angles = with_blocks(record_.angles, measurement_.block_count);
+}
+
+const WallLoad& LoadAccumulator::load_so_far() {
+  close_block();
+  return record_.load;
 }
 
 LinerRecord LoadAccumulator::finish() {

@@ -20,7 +20,7 @@ inline constexpr int cells_per_bin = 8;
 ///
 /// Every contact is turned back by the mill's angle, folded by the pitch, and added to the cell
 /// (an eighth of a bin) of the nearest place on the profile, to its particle class and to the time
-/// block floor(t / duration * blocks):
+/// block in which the middle of the sample's interval (t - dt, t] lies:
 ///     samples += 1, normal_impulse += Fn dt, sliding_work += max(Fn, 0) |v_slip| dt,
 ///     normal_dissipation += Fn v_n dt, shear_dissipation, finnie += power dt,
 /// and where a collision begins
@@ -46,6 +46,15 @@ class LoadAccumulator {
   /// counts to the last block), an unknown particle class or a value that is not finite.
   void add(const WallContacts& sample);
 
+  /// The measurement goes on until `duration` [s] by further blocks of the same length; what comes
+  /// then is the same as if it had been so long from the beginning. To be called before a sample
+  /// beyond its former end. Throws InputError unless that makes a whole number of blocks, and more
+  /// than there are.
+  void go_on_until(double duration);
+
+  /// The load of the samples taken so far.
+  [[nodiscard]] const WallLoad& load_so_far();
+
   /// The end of the measurement: ends the open collisions, flagged, and gives what was summed.
   [[nodiscard]] LinerRecord finish();
 
@@ -70,6 +79,7 @@ class LoadAccumulator {
 
   LinerSector sector_;
   LoadMeasurement measurement_;
+  double block_duration_;  ///< [s]
   ProfileIndex index_;
   double cells_per_metre_;
   LinerRecord record_;

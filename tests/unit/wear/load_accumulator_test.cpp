@@ -230,6 +230,68 @@ TEST(LoadAccumulator, EveryBlockHasItsOwnSums) {
   EXPECT_EQ(record.spectrum.unfinished[1], 1.0);
 }
 
+// Samples at 0.01, 0.02 ... 2.00 s stand for the time before them: fifty to each block of 0.5 s.
+TEST(LoadAccumulator, ASampleAtTheEndOfABlockIsOfThatBlock) {
+  LoadAccumulator accumulator(square_lifter(), measurement);
+  for (int i = 1; i <= 200; ++i)
+    accumulator.add({0.01 * i, 0.0, {contact_at({0.0, 0.1}, 0, 0.0)}});
+  const WallLoad load = accumulator.finish().load;
+  EXPECT_EQ(load.by_block(Measure::samples).colwise().sum(),
+            Eigen::RowVectorXd::Constant(4, 50.0));
+}
+
+/// Two balls of two classes that slide along the lifter, one of them now and then in the air.
+WallContacts sliding_balls(int i) {
+  WallContacts sample{0.01 * i, 0.0, {contact_at({-0.04 + 3e-4 * (i % 250), 0.1}, 0, 0.0)}};
+  sample.contacts.back().normal_force = 10.0 + i % 7;
+  if (i % 9 == 0) return sample;
+  sample.contacts.push_back(contact_at({0.02, 0.1}, 1, 0.0));
+  sample.contacts.back().particle = 8;
+  sample.contacts.back().particle_class = 0;
+  return sample;
+}
+
+void expect_same(const LinerRecord& a, const LinerRecord& b) {
+  EXPECT_EQ(a.load.duration, b.load.duration);
+  EXPECT_EQ(a.load.block_count, b.load.block_count);
+  EXPECT_EQ(a.load.values, b.load.values);
+  EXPECT_EQ(a.load.rejected, b.load.rejected);
+  EXPECT_EQ(a.angles.contacts, b.angles.contacts);
+  EXPECT_EQ(a.angles.normal_force, b.angles.normal_force);
+  EXPECT_EQ(a.spectrum.normal_events, b.spectrum.normal_events);
+  EXPECT_EQ(a.spectrum.unfinished, b.spectrum.unfinished);
+  EXPECT_EQ(a.triangles, b.triangles);
+}
+
+// Looked at after 2 s, on to 3 s and on to 5 s: the same bits as 5 s in ten blocks from the start.
+TEST(LoadAccumulator, GoingOnIsTheSameAsALongMeasurementFromTheStart) {
+  auto long_measurement = measurement;
+  long_measurement.duration = 5.0;
+  long_measurement.block_count = 10;
+  LoadAccumulator at_once(square_lifter(), long_measurement);
+  LoadAccumulator bit_by_bit(square_lifter(), measurement);
+  for (int i = 1; i <= 500; ++i) {
+    at_once.add(sliding_balls(i));
+    bit_by_bit.add(sliding_balls(i));
+    if (i == 200) {
+      EXPECT_EQ(sum(bit_by_bit.load_so_far(), Measure::samples), 200.0 + 178.0);
+      bit_by_bit.go_on_until(3.0);
+    }
+    if (i == 300) bit_by_bit.go_on_until(5.0);
+  }
+  const LinerRecord record = bit_by_bit.finish();
+  EXPECT_EQ(record.load.by_block(Measure::samples).colwise().sum().minCoeff(), 50.0 + 44.0);
+  expect_same(record, at_once.finish());
+}
+
+TEST(LoadAccumulator, GoesOnByWholeBlocksOnly) {
+  LoadAccumulator accumulator(square_lifter(), measurement);
+  for (const double end : {1.5, 2.0, 2.3, 0.0})
+    EXPECT_THROW(accumulator.go_on_until(end), InputError) << end;
+  EXPECT_NO_THROW(accumulator.go_on_until(2.5));
+  EXPECT_EQ(accumulator.finish().load.block_count, 5U);
+}
+
 TEST(LoadAccumulator, ACollisionOffTheProfileHasNoArcLength) {
   std::vector<Collision> ended;
   LoadAccumulator accumulator(square_lifter(), measurement,

@@ -56,14 +56,20 @@ enum class ContactPath {
 /// As the case file writes it.
 [[nodiscard]] std::string_view name_of(ContactPath path);
 
+/// How well a measurement is to know the smoothed rate of loss at its peaks before it ends.
+struct ErrorTarget {
+  double relative_error;    ///< above 0, up to 1
+  double most_revolutions;  ///< it ends then, however well it is known
+};
+
 struct DemSettings {
   double modulus_reduction;                 ///< the moduli are divided by this
   double rayleigh_fraction;                 ///< time step as a share of the least Rayleigh time
   std::optional<double> longest_time_step;  ///< [s]; the step is never above this
   RollingFriction rolling_friction;
-  double mix_revolutions;  ///< before the first measurement
-  int settle_pitches;      ///< turned on a new mesh before the load is measured
-  double measure_revolutions;
+  double mix_revolutions;      ///< before the first measurement
+  int settle_pitches;          ///< turned on a new mesh before the load is measured
+  double measure_revolutions;  ///< with a target the least number
   ContactPath contact_path;
   int sample_every_steps;      ///< steps between two samples of the wall contacts
   int ranks;                   ///< MPI ranks; 0 takes every core
@@ -75,6 +81,7 @@ struct DemSettings {
   double pair_revolutions;  ///< at the end of a measurement in which collisions between particles
                             ///< are recorded (recorder only)
   std::optional<double> time_step{};  ///< wanted [s], in place of the share of the Rayleigh time
+  std::optional<ErrorTarget> error_target{};  ///< recorder only
 };
 
 /// How the sampled load is smoothed along the profile. docs/physics.md has both.

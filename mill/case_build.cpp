@@ -67,6 +67,14 @@ std::vector<MaterialPair> build_pairs(const CaseDocument& document,
   return pairs;
 }
 
+std::optional<ErrorTarget> build_error_target(const CaseTable& dem) {
+  constexpr double most_in_least = 4.0;
+  const auto error = optional_real(dem, "target_relative_error");
+  if (!error) return std::nullopt;
+  return ErrorTarget{*error, optional_real(dem, "most_revolutions")
+                                 .value_or(most_in_least * real_value(dem, "measure_revolutions"))};
+}
+
 DemSettings build_dem(const CaseDocument& document) {
   const CaseTable defaults{"dem", 1, false, {}};
   const CaseTable* const written = document.find("dem");
@@ -95,7 +103,8 @@ DemSettings build_dem(const CaseDocument& document) {
           .keep_dumps = boolean_value(dem, "keep_dumps"),
           .keep_events = boolean_value(dem, "keep_events"),
           .pair_revolutions = real_value(dem, "pair_revolutions"),
-          .time_step = optional_real(dem, "time_step_s")};
+          .time_step = optional_real(dem, "time_step_s"),
+          .error_target = build_error_target(dem)};
 }
 
 CampaignSettings build_campaign(const CaseDocument& document) {

@@ -143,6 +143,35 @@ void check_time_step(const Case& mill, const CaseDocument& document, CaseProblem
   }
 }
 
+void check_error_target(const Case& mill, const CaseDocument& document, CaseProblems& problems) {
+  const auto& dem = mill.dem;
+  if (!dem.error_target) {
+    if (document.find("dem") != nullptr &&
+        document.find("dem")->find("most_revolutions") != nullptr)
+      problems.add(
+          document.line_of("dem", "most_revolutions"),
+          "`most_revolutions` says nothing without `target_relative_error`; give that too, "
+          "or set `measure_revolutions` alone");
+    return;
+  }
+  if (dem.error_target->most_revolutions < dem.measure_revolutions)
+    problems.add(document.line_of("dem", "most_revolutions"),
+                 fmt::format("`most_revolutions` = {:g} is less than `measure_revolutions` = {:g}, "
+                             "the least number; raise it, or lower that",
+                             dem.error_target->most_revolutions, dem.measure_revolutions));
+  const int line = document.line_of("dem", "target_relative_error");
+  if (dem.contact_path != ContactPath::recorder)
+    problems.add(line,
+                 "only the recorder can tell while it measures how well a rate is known; set "
+                 "`wall_contacts = \"recorder\"`, or take `target_relative_error` out");
+  if (mill.wear.time_blocks < least_blocks_for_a_target)
+    problems.add(line,
+                 fmt::format("`target_relative_error` needs an error that can be trusted, and "
+                             "{} time blocks are too few for one; set `time_blocks` in [wear] "
+                             "to {} or more, better 10",
+                             mill.wear.time_blocks, least_blocks_for_a_target));
+}
+
 std::string spoken_classes(const Case& mill) {
   std::string text;
   for (const ParticleClass& kind : mill.charge.classes) {
@@ -197,6 +226,7 @@ void check_case(const Case& mill, const CaseDocument& document, CaseProblems& pr
   check_materials(mill, document, problems);
   check_mechanisms(mill, document, problems);
   check_time_step(mill, document, problems);
+  check_error_target(mill, document, problems);
 }
 
 }  // namespace millwear

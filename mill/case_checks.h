@@ -18,11 +18,13 @@ inline constexpr double random_packing = 0.64;
 inline constexpr double stable_rayleigh_share = 0.5;
 /// LIGGGHTS refuses a Young's modulus under this [Pa].
 inline constexpr double least_young_modulus = 5e6;
+/// Time blocks from which a standard error is good enough to end a measurement by.
+inline constexpr int least_blocks_for_a_target = 5;
 /// Most nodes of a profile: its locked copy has to stay under the size limit of a case file.
 inline constexpr std::size_t most_profile_nodes = 1000;
 
 /// What a mill cannot be, over and above single keys: profile, charge, materials, time step,
-/// limits.
+/// target of a measurement, limits.
 void check_case(const Case& mill, const CaseDocument& document, CaseProblems& problems);
 
 }  // namespace millwear

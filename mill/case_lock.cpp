@@ -100,6 +100,10 @@ void write_dem(const DemSettings& dem, LockWriter& lock) {
   lock.key("mix_revolutions", dem.mix_revolutions);
   lock.key("settle_pitches", dem.settle_pitches);
   lock.key("measure_revolutions", dem.measure_revolutions);
+  if (dem.error_target) {
+    lock.key("target_relative_error", dem.error_target->relative_error);
+    lock.key("most_revolutions", dem.error_target->most_revolutions);
+  }
   lock.text("wall_contacts", name_of(dem.contact_path));
   lock.key("sample_every_steps", dem.sample_every_steps);
   lock.key("ranks", dem.ranks);

@@ -138,7 +138,13 @@ constexpr KeySpec keys[] = {
     {"dem", "settle_pitches", integer, defaulted, "2", between(0, 100000), "",
      "pitches turned on a new mesh before the load is measured"},
     {"dem", "measure_revolutions", real, defaulted, "1", positive, "",
-     "revolutions over which the load is measured"},
+     "revolutions over which the load is measured; with `target_relative_error` the least number"},
+    {"dem", "target_relative_error", real, optional, "", above_up_to(0.0, 1.0), "",
+     "a measurement goes on until the smoothed rate of loss at its peaks is known to this relative "
+     "standard error (with `recorder`)"},
+    {"dem", "most_revolutions", real, optional, "", positive, "",
+     "with `target_relative_error`: a measurement ends after so many revolutions in any case; four "
+     "times `measure_revolutions` where it is missing"},
     {"dem", "wall_contacts", choice, defaulted, "\"recorder\"", any, "recorder|dumps",
      "how wall contacts are seen: `recorder` takes every step from inside LIGGGHTS, `dumps` "
      "samples through the text dumps of the plain `liggghts`"},

@@ -90,6 +90,19 @@ TEST(Defaults, AreThoseOfTheManual) {
   EXPECT_EQ(mill.wear.excess_speed, 0.1);
 }
 
+TEST(Defaults, MostRevolutionsAreFourTimesTheLeast) {
+  const auto folder = fs::path(MILLWEAR_CONFIG_TESTS) / "valid";
+  const Case given = read_case(folder / "error_target.toml");
+  ASSERT_TRUE(given.dem.error_target);
+  EXPECT_EQ(given.dem.error_target->relative_error, 0.05);
+  EXPECT_EQ(given.dem.error_target->most_revolutions, 3.0);
+  std::string text = locked_case_text(given);
+  text.erase(text.find("most_revolutions = 3"), std::string("most_revolutions = 3\n").size());
+  const Case by_default = case_from_text(text, "case.toml");
+  EXPECT_EQ(by_default.dem.error_target->most_revolutions, 4.0 * 0.5);
+  EXPECT_FALSE(read_case(folder / "defaults_only.toml").dem.error_target);
+}
+
 TEST(Manual, IsTheOneInDocs) {
   std::ifstream stream(fs::path(MILLWEAR_DOCS) / "case_file.md");
   const std::string text{std::istreambuf_iterator<char>(stream), {}};

@@ -17,7 +17,11 @@ struct StretchSteps {
   long settle_steps;    ///< before anything is measured (the whole of a mixing stretch)
   long measure_steps;   ///< 0 for a mixing stretch
   long sample_steps;    ///< between two samples of the wall contacts
-  long pair_steps = 0;  ///< at the end of the measurement, to record collisions between particles
+  long pair_steps = 0;  ///< at the end of `measure_steps`, to record collisions between particles
+  /// A measurement that goes on until it knows enough does so by these, whole pitches and whole
+  /// time blocks both; 0 for one that does not.
+  long go_on_steps = 0;
+  long most_measure_steps = 0;  ///< ... and ends with these; 0 for one that does not go on
   [[nodiscard]] long total() const { return settle_steps + measure_steps; }
   [[nodiscard]] double settle_time() const;      ///< [s]
   [[nodiscard]] double measure_time() const;     ///< [s]
@@ -29,8 +33,14 @@ struct StretchSteps {
 [[nodiscard]] StretchSteps mixing_steps(const Case& mill, const StepPlan& plan);
 
 /// Settles for `dem.settle_pitches`, then measures for `dem.measure_revolutions`, rounded up to
-/// whole pitches.
+/// whole pitches. With `dem.error_target` it may go on, by the fewest pitches that are whole time
+/// blocks too, up to `most_revolutions` rounded up to such.
 [[nodiscard]] StretchSteps measuring_steps(const Case& mill, const StepPlan& plan);
+
+/// A measuring stretch as it went, with what was measured in `duration` [s]: `measure_steps` are
+/// those of that time. Throws ResultRejected, with what may have been, where a measurement of these
+/// steps could not have come to that length.
+[[nodiscard]] StretchSteps as_measured(const StretchSteps& planned, double duration);
 
 /// What LIGGGHTS's log of a stretch must show.
 struct StretchExpectation {

@@ -108,6 +108,13 @@ class RecordedDeck {
       recorder_->before_run();
     }
     liggghts_->input->one(line.c_str());
+    if (command_of(line) == "run") go_on();
+  }
+
+  /// Set up anew, LIGGGHTS would order its neighbours anew and end in other bits than one long run.
+  void go_on() {
+    for (long steps = recorder_->steps_to_go_on(); steps > 0; steps = recorder_->steps_to_go_on())
+      liggghts_->input->one(fmt::format("run {} pre no post no", steps).c_str());
   }
 
   void begin_to_record() {

@@ -41,9 +41,14 @@ std::vector<char> bytes_of_all(const std::vector<char>& mine, MPI_Comm ranks) {
   return all;
 }
 
+WallLoad sum_over_ranks(WallLoad load, MPI_Comm ranks) {
+  for (auto& values : load.values) sum_to_first(values, ranks);
+  sum_to_first(load.rejected.data(), std::ssize(load.rejected), ranks);
+  return load;
+}
+
 wear::LinerRecord sum_over_ranks(wear::LinerRecord record, MPI_Comm ranks) {
-  for (auto& values : record.load.values) sum_to_first(values, ranks);
-  sum_to_first(record.load.rejected.data(), std::ssize(record.load.rejected), ranks);
+  record.load = sum_over_ranks(std::move(record.load), ranks);
   sum_to_first(record.angles.contacts, ranks);
   sum_to_first(record.angles.normal_force, ranks);
   sum_to_first(record.spectrum, ranks);

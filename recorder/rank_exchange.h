@@ -25,4 +25,7 @@ template <class Plain>
 /// Sum of the ranks' records, valid on rank 0. Every rank has to call it.
 [[nodiscard]] wear::LinerRecord sum_over_ranks(wear::LinerRecord record, MPI_Comm ranks);
 
+/// The same for loads alone.
+[[nodiscard]] WallLoad sum_over_ranks(WallLoad load, MPI_Comm ranks);
+
 }  // namespace millwear::recorder

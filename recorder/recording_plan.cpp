@@ -9,7 +9,14 @@
 namespace millwear::recorder {
 namespace {
 
-void add_options(CLI::App& app, RecordingPlan& plan) {
+/// The options of a measurement that goes on: all of them or none.
+struct GoingOnOptions {
+  std::optional<double> target_error;
+  std::optional<long> by_steps;
+  std::optional<long> at_most;
+};
+
+void add_options(CLI::App& app, RecordingPlan& plan, GoingOnOptions& going_on) {
   app.add_option("-i,--in", plan.deck, "LIGGGHTS's input script")->required();
   app.add_option("--case", plan.mill, "the case file of the mill")->required();
   app.add_option("--liner", plan.liner, "profile (CSV) that the script's mesh follows")->required();
@@ -27,6 +34,30 @@ void add_options(CLI::App& app, RecordingPlan& plan) {
   app.add_option("--pairs-after", plan.pairs_after,
                  "record collisions between particles after this step; a `run` of the script has "
                  "to begin there");
+  app.add_option("--target-error", going_on.target_error,
+                 "go on after --until, while the relative standard error of the smoothed rate of "
+                 "loss at its peaks is above this")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--go-on-by", going_on.by_steps, "... by so many steps at a time")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--at-most", going_on.at_most, "... and not beyond this step")
+      ->check(CLI::PositiveNumber);
+}
+
+[[noreturn]] void refuse(const std::string& why) { throw Failure(ExitCode::usage, why); }
+
+std::optional<GoingOn> going_on_from(const GoingOnOptions& options, long last_step) {
+  const int given =
+      options.target_error.has_value() + options.by_steps.has_value() + options.at_most.has_value();
+  if (given == 0) return std::nullopt;
+  if (given < 3)
+    refuse("--target-error, --go-on-by and --at-most belong together; give all or none");
+  if (*options.at_most < last_step || (*options.at_most - last_step) % *options.by_steps != 0)
+    refuse(
+        fmt::format("--at-most {} has to be --until {} or lie a multiple of --go-on-by {} "
+                    "behind it",
+                    *options.at_most, last_step, *options.by_steps));
+  return GoingOn{*options.target_error, *options.by_steps, *options.at_most};
 }
 
 }  // namespace
@@ -38,7 +69,8 @@ std::string recording_help() {
       "  mpirun -np 2 millwear-recorder --in deck.in --case case.toml --liner profile.csv "
       "--load load.h5 --after 4000 --until 24000",
       "millwear-recorder");
-  add_options(app, plan);
+  GoingOnOptions going_on;
+  add_options(app, plan, going_on);
   return app.help();
 }
 
@@ -49,25 +81,23 @@ long samples_of(const RecordingPlan& plan) {
 RecordingPlan recording_plan(const std::vector<std::string>& arguments) {
   RecordingPlan plan{};
   CLI::App app;
-  add_options(app, plan);
+  GoingOnOptions going_on;
+  add_options(app, plan, going_on);
   try {
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
   } catch (const CLI::ParseError& problem) {
-    throw Failure(ExitCode::usage, std::string(problem.what()) + "; see --help");
+    refuse(std::string(problem.what()) + "; see --help");
   }
   if (plan.last_step <= plan.first_step)
-    throw Failure(ExitCode::usage, fmt::format("--until {} has to lie after --after {}",
-                                               plan.last_step, plan.first_step));
+    refuse(fmt::format("--until {} has to lie after --after {}", plan.last_step, plan.first_step));
   if (samples_of(plan) == 0)
-    throw Failure(ExitCode::usage, fmt::format("--every {} gives no sample from --after {} to "
-                                               "--until {}",
-                                               plan.every_steps, plan.first_step, plan.last_step));
+    refuse(fmt::format("--every {} gives no sample from --after {} to --until {}", plan.every_steps,
+                       plan.first_step, plan.last_step));
   if (plan.pairs_after &&
       (*plan.pairs_after < plan.first_step || *plan.pairs_after >= plan.last_step))
-    throw Failure(
-        ExitCode::usage,
-        fmt::format("--pairs-after {} has to lie from --after {} on and before --until {}",
-                    *plan.pairs_after, plan.first_step, plan.last_step));
+    refuse(fmt::format("--pairs-after {} has to lie from --after {} on and before --until {}",
+                       *plan.pairs_after, plan.first_step, plan.last_step));
+  plan.going_on = going_on_from(going_on, plan.last_step);
   return plan;
 }
 

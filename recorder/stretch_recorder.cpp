@@ -9,6 +9,8 @@
 #include <liggghts/update.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <numeric>
 
 #include "mill/contact_motion.h"
 #include "mill/failure.h"
@@ -56,6 +58,17 @@ void check_particles(const LAMMPS& liggghts, const Case& mill) {
         "`atom_modify map array`");
 }
 
+void check_blocks(const Case& mill, const RecordingPlan& plan) {
+  if (!plan.going_on) return;
+  const long measured = plan.last_step - plan.first_step;
+  if (plan.going_on->by_steps * mill.wear.time_blocks % measured != 0)
+    throw InputError(
+        fmt::format("--go-on-by {} makes no whole time blocks where {} steps are {}; a multiple of "
+                    "{} does",
+                    plan.going_on->by_steps, measured, mill.wear.time_blocks,
+                    measured / std::gcd(measured, long{mill.wear.time_blocks})));
+}
+
 }  // namespace
 
 StretchRecorder::StretchRecorder(LAMMPS& liggghts, const Case& mill, const RecordingPlan& plan)
@@ -81,6 +94,7 @@ StretchRecorder::StretchRecorder(LAMMPS& liggghts, const Case& mill, const Recor
       class_of_number_(totals(mill).particles + 1, 0) {
   check_particles(liggghts, mill);
   if (plan.events) spool_.emplace(*plan.events, liggghts.comm->me);
+  check_blocks(mill, plan);
   hang_on(liggghts, mesh_, module_);
 }
 
@@ -166,7 +180,7 @@ void StretchRecorder::exchange_collisions(long step) {
 void StretchRecorder::take_step(long step, const std::vector<WallTouch>& touches) {
   if (!begun_ && step > plan_.first_step) begin_with_standing();
   exchange_collisions(step);
-  if (plan_.pairs_after && !pairs_ && step > *plan_.pairs_after)
+  if (plan_.pairs_after && !pairs_ && !pair_record_ && step > *plan_.pairs_after)
     throw InputError(fmt::format("--pairs-after {}: no `run` of the deck begins at that step",
                                  *plan_.pairs_after));
   if (pairs_ && step > *plan_.pairs_after) take_pairs();
@@ -221,6 +235,37 @@ void StretchRecorder::take_pairs() {
   pairs_->end_sample();
 }
 
+void StretchRecorder::finish_pairs() {
+  if (!pairs_) return;
+  pair_record_ = pairs_->finish();
+  pairs_.reset();
+}
+
+NextPiece StretchRecorder::decide() {
+  const WallLoad load = sum_over_ranks(load_.load_so_far(), liggghts_.world);
+  NextPiece next{};
+  if (liggghts_.comm->me == 0) {
+    next = next_piece(mill_, plan_, load);
+    fmt::print("{}\n", spoken(plan_, next));
+    std::fflush(stdout);
+  }
+  MPI_Bcast(&next, sizeof next, MPI_BYTE, 0, liggghts_.world);
+  return next;
+}
+
+long StretchRecorder::steps_to_go_on() {
+  if (!plan_.going_on || liggghts_.update->ntimestep != plan_.last_step || ended_) return 0;
+  sum_waiting();
+  finish_pairs();
+  const NextPiece next = decide();
+  goal_ = next.goal;
+  ended_ = next.steps == 0;
+  if (ended_) return 0;
+  plan_.last_step += next.steps;
+  load_.go_on_until(liggghts_.update->dt * static_cast<double>(plan_.last_step - plan_.first_step));
+  return next.steps;
+}
+
 void StretchRecorder::publish() {
   const long wanted = samples_of(plan_);
   if (samples_ != wanted)
@@ -228,9 +273,16 @@ void StretchRecorder::publish() {
         fmt::format("the deck ended at step {} and gave {} samples of the wall contacts, not {}; "
                     "its runs and --after, --until, --every do not fit",
                     liggghts_.update->ntimestep, samples_, wanted));
+  if (plan_.going_on && !ended_)
+    throw InputError(
+        fmt::format("--until {}: no `run` of the deck ends at that step, where it is "
+                    "to be decided whether the measurement goes on",
+                    plan_.last_step));
   sum_waiting();
+  finish_pairs();
   auto mine = load_.finish();
-  if (pairs_) mine.pairs = pairs_->finish();
+  mine.pairs = pair_record_;
+  mine.goal = goal_;
   if (spool_) spool_->close();
   const auto record = sum_over_ranks(std::move(mine), liggghts_.world);
   if (liggghts_.comm->me != 0) return;

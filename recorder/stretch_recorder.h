@@ -6,6 +6,7 @@
 
 #include "mill/case.h"
 #include "recorder/collision_spool.h"
+#include "recorder/going_on.h"
 #include "recorder/recording_plan.h"
 #include "recorder/wall_module.h"
 #include "wear/load_accumulator.h"
@@ -27,6 +28,11 @@ class StretchRecorder {
   /// To be called before every run of the deck.
   void before_run();
 
+  /// By how many steps the measurement goes on now, to be called after every run of the deck by
+  /// every rank: 0 unless it has come to its end, its load is not known well enough, and it may go
+  /// on. Those steps have to be run next, without setting up anew.
+  [[nodiscard]] long steps_to_go_on();
+
   /// Writes what was recorded, from rank 0; every rank has to call it. Throws ResultRejected where
   /// the deck ended before the measurement did.
   void publish();
@@ -34,6 +40,8 @@ class StretchRecorder {
  private:
   void take_step(long step, const std::vector<WallTouch>& touches);
   void take_pairs();
+  void finish_pairs();
+  [[nodiscard]] NextPiece decide();
   void sum_waiting();
   void exchange_collisions(long step);
   [[nodiscard]] WallContact contact_from(const WallTouch& touch) const;
@@ -50,6 +58,8 @@ class StretchRecorder {
   std::optional<CollisionSpool> spool_;
   wear::LoadAccumulator load_;
   std::optional<wear::PairTracker> pairs_;
+  std::optional<wear::PairRecord> pair_record_;  ///< once their window is over
+  std::optional<wear::MeasurementGoal> goal_;    ///< once the measurement has come to its end
   WallModule module_;
   /// Samples that wait to be summed together: from one sample to the next LIGGGHTS sweeps the
   /// caches empty, so several in one go cost a third less.
@@ -57,6 +67,7 @@ class StretchRecorder {
   std::size_t waiting_count_ = 0;
   WallContacts standing_{};  ///< what touches where a run begins with the measurement
   bool begun_ = false;
+  bool ended_ = false;  ///< it was decided not to go on
   bool seen_turning_ = false;
   long samples_ = 0;
   long latest_step_ = 0;

@@ -5,6 +5,7 @@
 #include "mill/wall_load.h"
 #include "wear/charge_position.h"
 #include "wear/impact_spectrum.h"
+#include "wear/measurement_goal.h"
 
 namespace millwear::wear {
 
@@ -24,6 +25,7 @@ struct LinerRecord {
   ImpactSpectrum spectrum;    ///< collisions with the liner, a column a particle class
   Eigen::MatrixXd triangles;  ///< measure_count x triangles of the mesh, in the order of the STL
   std::optional<PairRecord> pairs{};
+  std::optional<MeasurementGoal> goal{};  ///< of a measurement that could go on
 };
 
 /// Sum of two records of the same measurement, e.g. of two ranks that saw different contacts.

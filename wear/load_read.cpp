@@ -142,6 +142,11 @@ LinerRecord read_record(const std::filesystem::path& path) {
   if (reader.has("triangles")) record.triangles = reader.read_matrix(reader.root(), "triangles");
   if (reader.has("particle_collisions"))
     record.pairs = pairs_from(reader, reader.group("particle_collisions"));
+  if (reader.has("goal")) {
+    const Handle goal = reader.group("goal");
+    record.goal = {reader.read_number(goal.id(), "target_relative_error"),
+                   reader.read_number(goal.id(), "peak_relative_error")};
+  }
   return record;
 }
 

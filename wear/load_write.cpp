@@ -148,6 +148,11 @@ void write_record(const std::filesystem::path& path, const LinerRecord& record) 
     writer.write_number(pairs, "rolling_dissipation", "J", record.pairs->rolling_dissipation);
     write_into(writer, pairs, record.pairs->spectrum);
   }
+  if (record.goal) {
+    const Handle goal = writer.new_group("goal");
+    writer.write_number(goal, "target_relative_error", "1", record.goal->target_error);
+    writer.write_number(goal, "peak_relative_error", "1", record.goal->peak_error);
+  }
   writer.publish();
 }
 

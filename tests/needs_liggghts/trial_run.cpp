@@ -1,5 +1,7 @@
 #include "tests/needs_liggghts/trial_run.h"
 
+#include <fmt/format.h>
+
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -75,7 +77,7 @@ meshgen::LinerMesh write_liner_mesh(const Case& mill, const LinerProfile& liner,
 
 namespace {
 
-Dumps run_program(const fs::path& folder, int ranks, const liggghts::StretchExpectation& expected,
+Dumps run_program(const fs::path& folder, int ranks,
                   std::optional<orchestrator::RecorderProgram> recorder) {
   Dumps dumps;
   const bool measures = text_of(folder / names::deck).find(names::contacts) != std::string::npos;
@@ -84,19 +86,24 @@ Dumps run_program(const fs::path& folder, int ranks, const liggghts::StretchExpe
     pipes = {{names::contacts, [&](std::string_view piece) { dumps.contacts += piece; }},
              {names::spins, [&](std::string_view piece) { dumps.spins += piece; }}};
   orchestrator::run_liggghts({folder, ranks, {}, std::move(recorder)}, pipes);
-  liggghts::check_stretch_log(text_of(folder / names::log), names::log, expected);
   return dumps;
+}
+
+void check_log(const fs::path& folder, const liggghts::StretchExpectation& expected) {
+  liggghts::check_stretch_log(text_of(folder / names::log), names::log, expected);
 }
 
 }  // namespace
 
 Dumps run_deck(const fs::path& folder, int ranks, const liggghts::StretchExpectation& expected) {
-  return run_program(folder, ranks, expected, std::nullopt);
+  Dumps dumps = run_program(folder, ranks, std::nullopt);
+  check_log(folder, expected);
+  return dumps;
 }
 
 Recording record_deck(const Case& mill, const liggghts::StretchSteps& steps,
                       const LinerProfile& liner, const fs::path& folder, int ranks,
-                      const liggghts::StretchExpectation& expected) {
+                      liggghts::StretchExpectation expected) {
   write_text(folder / "case.toml", locked_case_text(mill));
   write_text(folder / "liner.csv", profile_csv(liner));
   std::vector<std::string> arguments = {"--case",   "case.toml",
@@ -109,10 +116,18 @@ Recording record_deck(const Case& mill, const liggghts::StretchSteps& steps,
   if (steps.pair_steps > 0)
     arguments.insert(arguments.end(),
                      {"--pairs-after", std::to_string(steps.total() - steps.pair_steps)});
+  if (steps.go_on_steps > 0)
+    arguments.insert(arguments.end(),
+                     {"--target-error", fmt::format("{}", mill.dem.error_target->relative_error),
+                      "--go-on-by", std::to_string(steps.go_on_steps), "--at-most",
+                      std::to_string(steps.settle_steps + steps.most_measure_steps)});
   Recording recording;
-  recording.dumps = run_program(folder, ranks, expected,
-                                orchestrator::RecorderProgram{MILLWEAR_RECORDER, arguments});
+  recording.dumps =
+      run_program(folder, ranks, orchestrator::RecorderProgram{MILLWEAR_RECORDER, arguments});
+  if (steps.go_on_steps == 0) check_log(folder, expected);
   recording.record = wear::read_record(folder / "load.h5");
+  expected.last_step = liggghts::as_measured(steps, recording.record.load.duration).total();
+  check_log(folder, expected);
   wear::for_each_collision(folder / "events.h5", [&](const wear::Collision& collision) {
     recording.collisions.push_back(collision);
   });

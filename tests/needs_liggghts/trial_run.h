@@ -55,10 +55,11 @@ struct Recording {
   Dumps dumps;  ///< of the same run, where the deck dumps
 };
 
-/// Runs the deck that lies in `folder`, of a mill with this liner, with the recorder.
+/// Runs the deck that lies in `folder`, of a mill with this liner, with the recorder. Where the
+/// steps go on, so does the measurement, and it may end behind the expected last step.
 Recording record_deck(const Case& mill, const liggghts::StretchSteps& steps,
                       const LinerProfile& liner, const std::filesystem::path& folder, int ranks,
-                      const liggghts::StretchExpectation& expected);
+                      liggghts::StretchExpectation expected);
 
 [[nodiscard]] liggghts::RunLog log_of(const std::filesystem::path& folder);
 

@@ -2,6 +2,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "liggghts_inputs/stretch.h"
+#include "mill/failure.h"
 #include "tests/unit/mill/example_case.h"
 
 namespace millwear::liggghts {
@@ -41,6 +42,50 @@ RC_GTEST_PROP(StretchSteps, TakeWholePitchesAndNotLessThanAsked, ()) {
     RC_ASSERT(static_cast<double>(steps) < asked + static_cast<double>(plan.steps_per_pitch));
   }
   RC_ASSERT(measuring.settle_steps % plan.steps_per_pitch == 0);
+}
+
+// A revolution is 12 pitches in 10 blocks: 6 pitches are 5 blocks. From 12 to 30 are three times 6.
+TEST(StretchSteps, GoOnByWholePitchesThatAreWholeBlocks) {
+  Case mill = example_case();
+  mill.wear.time_blocks = 10;
+  EXPECT_EQ(measuring_steps(mill, plan).go_on_steps, 0);
+  mill.dem.error_target = ErrorTarget{0.05, 2.5};
+  const auto steps = measuring_steps(mill, plan);
+  EXPECT_EQ(steps.measure_steps, 12 * 1250);
+  EXPECT_EQ(steps.go_on_steps, 6 * 1250);
+  EXPECT_EQ(steps.most_measure_steps, 30 * 1250);
+  mill.dem.error_target->most_revolutions = 1.0;
+  EXPECT_EQ(measuring_steps(mill, plan).most_measure_steps, 12 * 1250);
+}
+
+TEST(StretchSteps, AreThoseOfTheTimeThatWasMeasured) {
+  const StretchSteps planned{1e-3, 500, 1000, 1, 0, 200, 1600};
+  EXPECT_EQ(as_measured(planned, 1.0).total(), 1500);
+  EXPECT_EQ(as_measured(planned, 1.4).total(), 1900);
+  EXPECT_EQ(as_measured(planned, 1.6).samples(), 1600);
+  for (const double duration : {0.8, 1.3, 1.8})
+    EXPECT_THROW(static_cast<void>(as_measured(planned, duration)), ResultRejected) << duration;
+  const StretchSteps fixed{1e-3, 500, 1000, 1};
+  EXPECT_EQ(as_measured(fixed, 1.0).total(), 1500);
+  EXPECT_THROW(static_cast<void>(as_measured(fixed, 1.2)), ResultRejected);
+}
+
+RC_GTEST_PROP(StretchSteps, GoOnUpToWhatWasAskedOrAPieceMore, ()) {
+  Case mill = example_case();
+  mill.liner.sector.rows = *rc::gen::inRange(3, 90);
+  mill.wear.time_blocks = *rc::gen::inRange(5, 40);
+  mill.dem.measure_revolutions = *rc::gen::inRange(1, 400) / 100.0;
+  mill.dem.error_target =
+      ErrorTarget{0.05, mill.dem.measure_revolutions * *rc::gen::inRange(100, 500) / 100.0};
+  const auto steps = measuring_steps(mill, plan);
+  const double asked = mill.dem.error_target->most_revolutions *
+                       static_cast<double>(plan.steps_per_revolution(mill.liner.sector.rows));
+  RC_ASSERT(steps.go_on_steps % plan.steps_per_pitch == 0);
+  RC_ASSERT(steps.go_on_steps * mill.wear.time_blocks % steps.measure_steps == 0);
+  RC_ASSERT((steps.most_measure_steps - steps.measure_steps) % steps.go_on_steps == 0);
+  RC_ASSERT(static_cast<double>(steps.most_measure_steps) > asked - 1e-3);
+  RC_ASSERT(static_cast<double>(steps.most_measure_steps) <
+            asked + static_cast<double>(plan.steps_per_pitch + steps.go_on_steps));
 }
 
 RC_GTEST_PROP(StretchSteps, CountTheSamplesThatADumpWrites, ()) {

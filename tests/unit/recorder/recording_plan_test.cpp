@@ -64,5 +64,34 @@ TEST(RecordingPlan, RefusesStepsThatDoNotFit) {
   EXPECT_EQ(recording_plan(with(complete(), "--pairs-after", "100")).pairs_after, 100);
 }
 
+std::vector<std::string> that_goes_on() {
+  auto words = complete();
+  words.insert(words.end(), {"--target-error", "0.05", "--go-on-by", "50", "--at-most", "500"});
+  return words;
+}
+
+TEST(RecordingPlan, GoesOnOnlyIfTold) {
+  EXPECT_FALSE(recording_plan(complete()).going_on);
+  const auto plan = recording_plan(that_goes_on());
+  ASSERT_TRUE(plan.going_on);
+  EXPECT_EQ(plan.going_on->target_error, 0.05);
+  EXPECT_EQ(plan.going_on->by_steps, 50);
+  EXPECT_EQ(plan.going_on->at_most, 500);
+  EXPECT_EQ(recording_plan(with(that_goes_on(), "--at-most", "300")).going_on->at_most, 300);
+}
+
+TEST(RecordingPlan, RefusesToGoOnByHalves) {
+  for (const std::size_t option : {12, 14, 16}) {
+    auto words = that_goes_on();
+    words.erase(words.begin() + static_cast<std::ptrdiff_t>(option),
+                words.begin() + static_cast<std::ptrdiff_t>(option) + 2);
+    expect_refused(words, "--target-error, --go-on-by and --at-most belong together");
+  }
+  expect_refused(with(that_goes_on(), "--target-error", "0"), "--target-error");
+  expect_refused(with(that_goes_on(), "--go-on-by", "-50"), "--go-on-by");
+  expect_refused(with(that_goes_on(), "--at-most", "250"), "--at-most 250 has to be --until 300");
+  expect_refused(with(that_goes_on(), "--at-most", "520"), "a multiple of --go-on-by 50");
+}
+
 }  // namespace
 }  // namespace millwear::recorder

@@ -98,6 +98,20 @@ TEST_F(LoadStore, ReadsBackTheWholeRecord) {
   EXPECT_EQ(found.pairs->rolling_dissipation, 3.0);
 }
 
+TEST_F(LoadStore, ReadsBackHowWellTheMeasurementKnowsItsPeaks) {
+  LinerRecord written = sample_record(0.3);
+  write_record(file, written);
+  EXPECT_FALSE(read_record(file).goal);
+  written.goal = MeasurementGoal{0.05, 0.071};
+  write_record(file, written);
+  ASSERT_TRUE(read_record(file).goal);
+  EXPECT_EQ(read_record(file).goal->target_error, 0.05);
+  EXPECT_EQ(read_record(file).goal->peak_error, 0.071);
+  written.goal->peak_error = std::numeric_limits<double>::quiet_NaN();
+  write_record(file, written);
+  EXPECT_TRUE(std::isnan(read_record(file).goal->peak_error));
+}
+
 TEST_F(LoadStore, ReadsARecordWithoutParticleContacts) {
   LinerRecord written = sample_record(0.3);
   written.pairs.reset();

@@ -77,7 +77,10 @@ Eigen::MatrixXd noisy_rates() {
   std::mt19937 random(3);
   std::normal_distribution<double> noise(1.0, 0.5);
   return Eigen::MatrixXd::NullaryExpr(200, 50, [&](auto bin, auto) {
-    return std::fmax(noise(random) * (1.0 + 3.0 * std::exp(-0.001 * (bin - 80) * (bin - 80))), 0.0);
+    return std::fmax(
+        noise(random) *
+            (1.0 + 3.0 * std::exp(-0.001 * std::pow(static_cast<double>(bin) - 80.0, 2))),
+        0.0);
   });
 }
 

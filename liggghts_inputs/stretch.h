@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <string>
 #include <string_view>
 
@@ -23,6 +24,10 @@ struct StretchSteps {
   long go_on_steps = 0;
   long most_measure_steps = 0;  ///< ... and ends with these; 0 for one that does not go on
   [[nodiscard]] long total() const { return settle_steps + measure_steps; }
+  /// The last step, however long the measurement goes on.
+  [[nodiscard]] long most_total() const {
+    return settle_steps + std::max(measure_steps, most_measure_steps);
+  }
   [[nodiscard]] double settle_time() const;      ///< [s]
   [[nodiscard]] double measure_time() const;     ///< [s]
   [[nodiscard]] long samples() const;            ///< steps in (settle, total] that are sampled

@@ -18,6 +18,7 @@ nlohmann::json check_json(const Case& mill, int ranks) {
   const auto plan = plan_steps(mill);
   const auto cost = estimate_cost(mill, ranks);
   const auto charge = totals(mill);
+  const auto measuring = liggghts::measuring_steps(mill, plan);
   nlohmann::json classes = nlohmann::json::array();
   for (const auto& kind : mill.charge.classes)
     classes.push_back({{"material", mill.materials[kind.material].name},
@@ -43,10 +44,15 @@ nlohmann::json check_json(const Case& mill, int ranks) {
           {"wall_contacts", name_of(mill.dem.contact_path)},
           {"sample_every_steps", mill.dem.sample_every_steps},
           {"mixing_steps", liggghts::mixing_steps(mill, plan).total()},
-          {"steps_per_cycle", liggghts::measuring_steps(mill, plan).total()},
+          {"steps_per_cycle", measuring.total()},
+          {"most_steps_per_cycle", measuring.most_total()},
+          {"target_relative_error", mill.dem.error_target
+                                        ? nlohmann::json(mill.dem.error_target->relative_error)
+                                        : nlohmann::json(nullptr)},
           {"ranks", ranks},
           {"mixing_seconds", cost.mixing},
           {"cycle_seconds", cost.per_cycle},
+          {"most_cycle_seconds", cost.per_cycle_most},
           {"warnings", warnings(mill)}};
 }
 
@@ -56,6 +62,19 @@ std::string spoken_contact_path(const Case& mill) {
   return mill.dem.contact_path == ContactPath::recorder
              ? when + ", recorded from inside LIGGGHTS"
              : when + ", sampled through the dumps of the plain liggghts";
+}
+
+std::string spoken_target(const Case& mill, const StepPlan& plan,
+                          const liggghts::StretchSteps& measuring) {
+  const auto revolutions = [&](long steps) {
+    return static_cast<double>(steps) /
+           static_cast<double>(plan.steps_per_revolution(mill.liner.sector.rows));
+  };
+  return fmt::format(
+      "a measurement ends once its rate is known to {:g} % at its peaks: after {:.4g} revolutions, "
+      "or {:.4g} more at a time, up to {:.4g}",
+      100.0 * mill.dem.error_target->relative_error, revolutions(measuring.measure_steps),
+      revolutions(measuring.go_on_steps), revolutions(measuring.most_measure_steps));
 }
 
 void print_charge(const Case& mill) {
@@ -92,10 +111,16 @@ void print_check(const Case& mill, int ranks) {
   fmt::print("DEM\n  time step {:.3e} s, {:.0f} % of the shortest Rayleigh time {:.3e} s\n",
              plan.time_step, 100.0 * plan.time_step / shortest_rayleigh_time(mill),
              shortest_rayleigh_time(mill));
+  const auto range = [](const std::string& least, const std::string& most) {
+    return least == most ? least : least + " to " + most;
+  };
   fmt::print("  {} steps a revolution; mixing {} steps, each cycle {} steps\n",
-             plan.steps_per_revolution(sector.rows), mixing.total(), measuring.total());
+             plan.steps_per_revolution(sector.rows), mixing.total(),
+             range(std::to_string(measuring.total()), std::to_string(measuring.most_total())));
+  if (mill.dem.error_target) fmt::print("  {}\n", spoken_target(mill, plan, measuring));
   fmt::print("  on {} ranks about {} to mix and {} a cycle (within a factor of three)\n", ranks,
-             spoken_time(cost.mixing), spoken_time(cost.per_cycle));
+             spoken_time(cost.mixing),
+             range(spoken_time(cost.per_cycle), spoken_time(cost.per_cycle_most)));
   fmt::print("  wall contacts {}\n", spoken_contact_path(mill));
   for (const auto& warning : warnings(mill)) fmt::print("Warning: {}\n", warning);
 }

@@ -16,8 +16,11 @@ CostEstimate estimate_cost(const Case& mill, int ranks) {
   const auto plan = plan_steps(mill);
   const double seconds_per_step =
       static_cast<double>(totals(mill).particles) / (particle_steps_per_second * ranks);
-  return {seconds_per_step * static_cast<double>(liggghts::mixing_steps(mill, plan).total()),
-          seconds_per_step * static_cast<double>(liggghts::measuring_steps(mill, plan).total())};
+  const auto mixing = liggghts::mixing_steps(mill, plan);
+  const auto measuring = liggghts::measuring_steps(mill, plan);
+  return {seconds_per_step * static_cast<double>(mixing.total()),
+          seconds_per_step * static_cast<double>(measuring.total()),
+          seconds_per_step * static_cast<double>(measuring.most_total())};
 }
 
 }  // namespace millwear::orchestrator

@@ -12,8 +12,9 @@ inline constexpr double particle_steps_per_second = 1.5e6;
 
 /// What LIGGGHTS is likely to take [s]; within a factor of three.
 struct CostEstimate {
-  double mixing;     ///< the first stretch
-  double per_cycle;  ///< each measurement
+  double mixing;          ///< the first stretch
+  double per_cycle;       ///< each measurement, at least
+  double per_cycle_most;  ///< the same, unless a measurement may go on
 };
 [[nodiscard]] CostEstimate estimate_cost(const Case& mill, int ranks);
 

@@ -128,9 +128,10 @@ void add_cycle(const Campaign& campaign, int cycle, ReportData& data) {
     balance.accounted += step.accounted_area + step.fallen_area;
   }
   data.conservation.push_back(balance);
-  data.power.push_back(power_of_cycle(cycle, measured, mill.wear.time_blocks));
   const auto recorded =
       wear::read_record(campaign.folder.stage({cycle, StageKind::dem}) / stage_files::load);
+  data.power.push_back(
+      power_of_cycle(cycle, measured, static_cast<int>(recorded.load.block_count)));
   data.loads.push_back(load_of_cycle(campaign, cycle, recorded.load));
   data.impacts.push_back(impacts_of(cycle, recorded, mill));
 }

@@ -6,19 +6,29 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <stdexcept>
 
 #include "mill/failure.h"
+#include "wear/measurement_goal.h"
 
 namespace millwear::orchestrator {
 namespace {
 
-constexpr int format_version = 1;
+constexpr int measured_version = 2;
+constexpr int steps_version = 1;
 using nlohmann::json;
 
 /// JSON has no NaN: null stands for it.
 json number(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
 double number_from(const json& value) {
   return value.is_null() ? std::nan("") : value.get<double>();
+}
+
+json optional_number(const std::optional<double>& value) {
+  return value ? json(*value) : json(nullptr);
+}
+std::optional<double> optional_from(const json& value) {
+  return value.is_null() ? std::nullopt : std::optional(value.get<double>());
 }
 
 json nodes_json(const LinerProfile& profile) {
@@ -35,12 +45,12 @@ LinerProfile profile_from(const json& nodes, const LinerSector& sector) {
 }
 
 template <class Parse>
-auto parsed(const std::filesystem::path& file, std::string_view type, Parse parse) {
+auto parsed(const std::filesystem::path& file, std::string_view type, int version, Parse parse) {
   try {
     const json document = json::parse(read_file(file));
     if (document.at("type").get<std::string>() != type ||
-        document.at("format_version").get<int>() != format_version)
-      throw ResultRejected(fmt::format("it is not a {} of version {}", type, format_version));
+        document.at("format_version").get<int>() != version)
+      throw ResultRejected(fmt::format("it is not a {} of version {}", type, version));
     return parse(document);
   } catch (const DiskError&) {
     throw;
@@ -51,9 +61,47 @@ auto parsed(const std::filesystem::path& file, std::string_view type, Parse pars
 
 }  // namespace
 
+MeasurementEnd end_of(const Measured& measured) {
+  if (!measured.target_error) return MeasurementEnd::no_target;
+  return wear::is_reached({*measured.target_error, measured.peak_error})
+             ? MeasurementEnd::target_reached
+             : MeasurementEnd::most_revolutions;
+}
+
+std::string_view name_of(MeasurementEnd end) {
+  switch (end) {
+    case MeasurementEnd::no_target:
+      return "no target";
+    case MeasurementEnd::target_reached:
+      return "target reached";
+    case MeasurementEnd::most_revolutions:
+      return "greatest number of revolutions";
+  }
+  throw std::logic_error("an end of no kind");
+}
+
+std::string spoken_end(const Measured& measured) {
+  const std::string turns = fmt::format("{:.4g}", measured.revolutions);
+  std::string text = fmt::format("measured for {} revolution{}, ", turns, turns == "1" ? "" : "s");
+  text += std::isfinite(measured.peak_error)
+              ? fmt::format("rate at its peaks known to {:.2g} %", 100.0 * measured.peak_error)
+              : "rate at its peaks not known";
+  const double target = 100.0 * measured.target_error.value_or(0.0);
+  switch (end_of(measured)) {
+    case MeasurementEnd::no_target:
+      return text;
+    case MeasurementEnd::target_reached:
+      return fmt::format("{} (target {:g} %)", text, target);
+    case MeasurementEnd::most_revolutions:
+      return fmt::format("{} after the greatest number of revolutions; target {:g} %", text,
+                         target);
+  }
+  throw std::logic_error("an end of no kind");
+}
+
 void write_measured(const std::filesystem::path& file, const Measured& measured) {
   const json document = {{"type", "millwear measured"},
-                         {"format_version", format_version},
+                         {"format_version", measured_version},
                          {"power_w", measured.power},
                          {"power_w_se", number(measured.power_error)},
                          {"power_times_s", measured.power_times},
@@ -63,12 +111,16 @@ void write_measured(const std::filesystem::path& file, const Measured& measured)
                          {"shoulder_rad", number(measured.charge.shoulder)},
                          {"shoulder_rad_se", number(measured.charge.shoulder_error)},
                          {"samples", measured.samples},
-                         {"rejected_share", measured.rejected_share}};
+                         {"rejected_share", measured.rejected_share},
+                         {"revolutions", measured.revolutions},
+                         {"peak_relative_error", number(measured.peak_error)},
+                         {"target_relative_error", optional_number(measured.target_error)},
+                         {"ended", name_of(end_of(measured))}};
   write_file(file, document.dump(1) + "\n");
 }
 
 Measured read_measured(const std::filesystem::path& file) {
-  return parsed(file, "millwear measured", [](const json& document) {
+  return parsed(file, "millwear measured", measured_version, [](const json& document) {
     return Measured{
         document.at("power_w").get<double>(),
         number_from(document.at("power_w_se")),
@@ -77,7 +129,10 @@ Measured read_measured(const std::filesystem::path& file) {
         {number_from(document.at("toe_rad")), number_from(document.at("toe_rad_se")),
          number_from(document.at("shoulder_rad")), number_from(document.at("shoulder_rad_se"))},
         document.at("samples").get<long>(),
-        document.at("rejected_share").get<double>()};
+        document.at("rejected_share").get<double>(),
+        document.at("revolutions").get<double>(),
+        number_from(document.at("peak_relative_error")),
+        optional_from(document.at("target_relative_error"))};
   });
 }
 
@@ -90,7 +145,7 @@ void write_cycle(const std::filesystem::path& file, const KeptCycle& cycle) {
                      {"fallen_area_m2", step.fallen_area},
                      {"nodes_m", nodes_json(step.profile)}});
   const json document = {{"type", "millwear geometry steps"},
-                         {"format_version", format_version},
+                         {"format_version", steps_version},
                          {"smoothing_moved_share", cycle.smoothing_moved_share},
                          {"worn_by_load_m2_per_s", cycle.worn_by_load},
                          {"steps", steps}};
@@ -98,7 +153,7 @@ void write_cycle(const std::filesystem::path& file, const KeptCycle& cycle) {
 }
 
 KeptCycle read_cycle(const std::filesystem::path& file, const LinerSector& sector) {
-  return parsed(file, "millwear geometry steps", [&](const json& document) {
+  return parsed(file, "millwear geometry steps", steps_version, [&](const json& document) {
     KeptCycle cycle{document.at("smoothing_moved_share").get<double>(),
                     document.at("worn_by_load_m2_per_s").get<double>(),
                     {}};

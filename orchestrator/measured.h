@@ -1,5 +1,8 @@
 #pragma once
 #include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "mill/liner_profile.h"
@@ -16,7 +19,24 @@ struct Measured {
   wear::ChargePosition charge;
   long samples;
   double rejected_share;  ///< of the contacts, farther from the profile than the mesh can be
+  double revolutions;     ///< over which it was measured
+  double peak_error;      ///< relative standard error of the smoothed rate of loss at its peaks;
+                          ///< NaN where it is not known
+  std::optional<double> target_error{};  ///< what `peak_error` was to come down to
 };
+
+/// Why a measurement ended where it did.
+enum class MeasurementEnd {
+  no_target,         ///< its length was given
+  target_reached,    ///< its rate is known well enough
+  most_revolutions,  ///< it might go on no longer
+};
+
+[[nodiscard]] MeasurementEnd end_of(const Measured& measured);
+[[nodiscard]] std::string_view name_of(MeasurementEnd end);
+
+/// "measured for 1.5 revolutions, rate at its peaks known to 4.6 % (target 5 %)"
+[[nodiscard]] std::string spoken_end(const Measured& measured);
 
 /// Files of a stage, written into a folder that is published later. They throw DiskError where a
 /// file cannot be written, and ResultRejected where one cannot be understood.

@@ -58,6 +58,8 @@ void Progress::begin(const std::string& what, double share_before, double share_
   if (terminal_) draw();
 }
 
+void Progress::rename(const std::string& what) { what_ = what; }
+
 void Progress::advance(double done) {
   done_ = std::clamp(done, 0.0, 1.0);
   const auto interval = terminal_ ? Clock::duration(bar_interval) : Clock::duration(line_interval);

@@ -23,6 +23,8 @@ class Progress {
   /// Begins a piece of work that takes the campaign from one share of its whole to another, 0
   /// ... 1.
   void begin(const std::string& what, double share_before, double share_after);
+  /// That piece goes by another name from here on.
+  void rename(const std::string& what);
   /// How much of that piece is done, 0 ... 1.
   void advance(double done);
   /// The piece is done.

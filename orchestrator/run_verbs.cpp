@@ -2,9 +2,12 @@
 #include <unistd.h>
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <ctime>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
 
 #include "mill/case_file.h"
 #include "mill/case_lock.h"
@@ -180,6 +183,27 @@ void explain_campaign(const Command& command, const Ledger& ledger, const Case& 
                  name_of(entry.stage), entry.outputs.size());
 }
 
+/// The newest load and its cycle, if there is one.
+std::optional<std::pair<int, Measured>> latest_measurement(const Campaign& campaign,
+                                                           const Ledger& ledger) {
+  int cycles = 0;
+  while (ledger.find({cycles, StageKind::dem}) != nullptr) ++cycles;
+  if (cycles == 0) return std::nullopt;
+  const StageId stage{cycles - 1, StageKind::dem};
+  return std::pair{stage.cycle,
+                   read_measured(campaign.folder.stage(stage) / stage_files::measured)};
+}
+
+nlohmann::json latest_measurement_json(const std::optional<std::pair<int, Measured>>& measured) {
+  if (!measured) return nullptr;
+  const auto& [cycle, load] = *measured;
+  return {{"cycle", cycle},
+          {"revolutions", load.revolutions},
+          {"peak_relative_error",
+           std::isfinite(load.peak_error) ? nlohmann::json(load.peak_error) : nullptr},
+          {"ended", name_of(end_of(load))}};
+}
+
 }  // namespace
 
 void run_verb(const Command& command) {
@@ -227,11 +251,13 @@ void status_verb(const Command& command) {
   int next_cycle = 0;
   while (ledger.find({next_cycle, StageKind::wear}) != nullptr) ++next_cycle;
   const LinerProfile liner = liner_of_cycle(campaign, next_cycle);
+  const auto measured = latest_measurement(campaign, ledger);
   if (command.form == OutputForm::json) {
     fmt::print("{}\n", nlohmann::json{{"running", running},
                                       {"outcome", name_of(outcome_of(ledger))},
                                       {"cycles", next_cycle},
                                       {"next", next ? name_of(next->stage) : ""},
+                                      {"latest_load", latest_measurement_json(measured)},
                                       {"lifter_height_m", lifter_height(liner)},
                                       {"share_of_life", share_of_life(mill, liner)}}
                            .dump(1));
@@ -240,6 +266,8 @@ void status_verb(const Command& command) {
   fmt::print("{}: {} cycles done, lifter {:.1f} mm high, {:.0f} % of the way to its limit\n",
              folder.root.string(), next_cycle, 1e3 * lifter_height(liner),
              100.0 * share_of_life(mill, liner));
+  if (measured)
+    fmt::print("latest load (cycle {}): {}\n", measured->first, spoken_end(measured->second));
   if (running)
     fmt::print("running: {}\n", next ? name_of(next->stage) : "gathering the results");
   else if (next)

@@ -1,19 +1,22 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "liggghts_inputs/charge_packing.h"
 #include "liggghts_inputs/contact_join.h"
 #include "liggghts_inputs/deck.h"
-#include "liggghts_inputs/run_log.h"
 #include "liggghts_inputs/torque_series.h"
 #include "mill/failure.h"
 #include "orchestrator/mesh_facts.h"
 #include "orchestrator/stages.h"
+#include "orchestrator/stretch_progress.h"
 #include "orchestrator/stretch_run.h"
 #include "wear/load_accumulator.h"
+#include "wear/load_rate.h"
 #include "wear/load_store.h"
+#include "wear/smoothing_error.h"
 
 namespace millwear::orchestrator {
 namespace {
@@ -39,9 +42,19 @@ liggghts::LinerMeshFile mesh_of(const Campaign& campaign, int cycle) {
   return {mesh_from_stage, triangles_of_mesh(campaign.folder.stage({cycle, StageKind::mesh}))};
 }
 
+/// The load of the longest measurement that may come of it, before it is packed.
+std::uintmax_t bytes_of_load(const Case& mill, const liggghts::StretchSteps& steps) {
+  if (steps.measure_steps == 0) return 0;
+  const long longest = std::max(steps.measure_steps, steps.most_measure_steps);
+  const auto blocks =
+      static_cast<std::uintmax_t>(mill.wear.time_blocks * longest / steps.measure_steps);
+  const auto cells = static_cast<std::uintmax_t>(mill.wear.bins * wear::cells_per_bin);
+  return blocks * cells * mill.charge.classes.size() * measure_count * sizeof(double);
+}
+
 void check_free_disk(const Case& mill, const liggghts::StretchSteps& steps, const fs::path& into) {
   const auto particles = static_cast<std::uintmax_t>(totals(mill).particles);
-  std::uintmax_t needed = spare_disk_bytes + 2 * 1000 * particles;
+  std::uintmax_t needed = spare_disk_bytes + 2 * 1000 * particles + bytes_of_load(mill, steps);
   if (mill.dem.keep_dumps)
     needed += static_cast<std::uintmax_t>(steps.samples()) * particles * dump_bytes_per_particle;
   const auto free = fs::space(into).available;
@@ -65,12 +78,15 @@ void check_stretch(const Campaign& campaign, int cycle, const liggghts::StretchS
 }
 
 /// Follows LIGGGHTS's printed steps, of which settling starts at 0 and nothing else.
-std::function<void(std::string_view)> step_follower(const liggghts::StretchSteps& steps,
+std::function<void(std::string_view)> step_follower(const StageId& stage,
+                                                    const liggghts::StretchSteps& steps,
                                                     Progress& progress) {
-  return [&progress, total = static_cast<double>(steps.total())](std::string_view line) {
-    liggghts::ThermoLine thermo{};
-    if (liggghts::read_thermo_line(line, thermo))
-      progress.advance(static_cast<double>(thermo.step) / total);
+  return [&progress, name = name_of(stage),
+          stretch = StretchProgress(steps)](std::string_view line) mutable {
+    const bool went_on = stretch.goes_on();
+    if (!stretch.take(line)) return;
+    if (stretch.goes_on() && !went_on) progress.rename(name + ", going on");
+    progress.advance(stretch.done());
   };
 }
 
@@ -110,21 +126,41 @@ Measured measured_from(const Case& mill, const liggghts::StretchSteps& steps,
                                    static_cast<double>(value.step - steps.settle_steps));
     measured.power_series.push_back(-value.torque * mill.speed);
   }
-  const Mean power = mean_by_blocks(measured.power_series, mill.wear.time_blocks);
+  const Mean power =
+      mean_by_blocks(measured.power_series, static_cast<int>(record.load.block_count));
   measured.power = power.value;
   measured.power_error = power.error;
   measured.charge = wear::charge_position(record.angles);
   measured.samples = steps.samples();
   measured.rejected_share = wear::rejected_share(record.load);
+  measured.revolutions = steps.measure_time() * mill.speed / (2.0 * std::numbers::pi);
+  measured.peak_error = record.goal
+                            ? record.goal->peak_error
+                            : wear::peak_error(wear::rate_of_load(mill, record.load).smoothed);
+  if (record.goal) measured.target_error = record.goal->target_error;
   return measured;
 }
 
-/// Runs the deck with the recorder, which leaves the load.
-void record(const Campaign& campaign, int cycle, const liggghts::StretchSteps& steps,
-            const fs::path& into, Progress& progress) {
-  run_liggghts({into, campaign.ranks, step_follower(steps, progress),
+/// The steps as they went, where the recorder left a load; else as they were to go.
+liggghts::StretchSteps steps_of_load(const liggghts::StretchSteps& planned, const fs::path& into) {
+  const fs::path load = into / stage_files::load;
+  if (!fs::exists(load)) return planned;
+  const double duration = wear::read_load(load).duration;
+  try {
+    return liggghts::as_measured(planned, duration);
+  } catch (const ResultRejected& problem) {
+    throw ResultRejected(fmt::format("{}: {}", load.string(), problem.what()));
+  }
+}
+
+/// Runs the deck with the recorder, which leaves the load, and returns the steps as they went.
+liggghts::StretchSteps record(const Campaign& campaign, int cycle,
+                              const liggghts::StretchSteps& planned, const fs::path& into,
+                              Progress& progress) {
+  run_liggghts({into, campaign.ranks, step_follower({cycle, StageKind::dem}, planned, progress),
                 RecorderProgram{recorder_program(), recorder_arguments(campaign.mill)}},
                {});
+  const auto steps = steps_of_load(planned, into);
   check_stretch(campaign, cycle, steps, into);
   std::vector<const char*> files = {stage_files::load};
   if (campaign.mill.dem.keep_events) files.push_back(stage_files::events);
@@ -132,6 +168,7 @@ void record(const Campaign& campaign, int cycle, const liggghts::StretchSteps& s
     if (!fs::exists(into / file))
       throw ResultRejected(fmt::format("{}: the recorder left no {}; see this log for why",
                                        (into / names::log).string(), file));
+  return steps;
 }
 
 /// Runs the deck with the plain liggghts and sums what it dumps.
@@ -155,7 +192,7 @@ void read_dumps(const Campaign& campaign, int cycle, const liggghts::StretchStep
       {names::contacts, [&](std::string_view piece) { contacts.feed(piece); }},
       {names::spins, [&](std::string_view piece) { spins.feed(piece); }}};
 
-  run_liggghts({into, campaign.ranks, step_follower(steps, progress)},
+  run_liggghts({into, campaign.ranks, step_follower({cycle, StageKind::dem}, steps, progress)},
                mill.dem.keep_dumps ? std::vector<DumpPipe>{} : dumps);
   check_stretch(campaign, cycle, steps, into);
   if (mill.dem.keep_dumps)
@@ -201,6 +238,11 @@ std::vector<std::string> recorder_arguments(const Case& mill) {
   if (steps.pair_steps > 0)
     arguments.insert(arguments.end(),
                      {"--pairs-after", std::to_string(steps.total() - steps.pair_steps)});
+  if (mill.dem.error_target)
+    arguments.insert(arguments.end(),
+                     {"--target-error", fmt::format("{}", mill.dem.error_target->relative_error),
+                      "--go-on-by", std::to_string(steps.go_on_steps), "--at-most",
+                      std::to_string(steps.settle_steps + steps.most_measure_steps)});
   return arguments;
 }
 
@@ -208,23 +250,24 @@ void mix_stage(const Campaign& campaign, const fs::path& into, Progress& progres
   const auto steps = liggghts::mixing_steps(campaign.mill, plan_steps(campaign.mill));
   check_free_disk(campaign.mill, steps, into);
   write_mixing_deck(campaign, into);
-  run_liggghts({into, campaign.ranks, step_follower(steps, progress)}, {});
+  run_liggghts({into, campaign.ranks, step_follower({0, StageKind::mix}, steps, progress)}, {});
   check_stretch(campaign, 0, steps, into);
 }
 
 void dem_stage(const Campaign& campaign, int cycle, const fs::path& into, Progress& progress) {
   const auto& mill = campaign.mill;
-  const auto steps = liggghts::measuring_steps(mill, plan_steps(mill));
+  auto steps = liggghts::measuring_steps(mill, plan_steps(mill));
   check_free_disk(mill, steps, into);
   write_measuring_deck(campaign, cycle, into);
   if (mill.dem.contact_path == ContactPath::recorder)
-    record(campaign, cycle, steps, into, progress);
+    steps = record(campaign, cycle, steps, into, progress);
   else
     read_dumps(campaign, cycle, steps, into, progress);
   const auto record = wear::read_record(into / stage_files::load);
   wear::check_rejected_share(record.load, largest_rejected_share);
-  write_measured(into / stage_files::measured,
-                 measured_from(mill, steps, record, into / names::torque));
+  const Measured measured = measured_from(mill, steps, record, into / names::torque);
+  write_measured(into / stage_files::measured, measured);
+  progress.say(fmt::format("cycle {}: {}", cycle, spoken_end(measured)));
 }
 
 }  // namespace millwear::orchestrator

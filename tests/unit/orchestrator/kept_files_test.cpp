@@ -37,6 +37,9 @@ TEST_F(KeptFile, OfAMeasurementComesBackAsItWas) {
   measured.charge.shoulder_error = 0.01;
   measured.samples = 1234567890123;
   measured.rejected_share = 1e-4;
+  measured.revolutions = 1.0 / 3.0;
+  measured.peak_error = 0.046;
+  measured.target_error = 0.05;
   write_measured(file, measured);
   const Measured read = read_measured(file);
   EXPECT_EQ(read.power, measured.power);
@@ -49,6 +52,38 @@ TEST_F(KeptFile, OfAMeasurementComesBackAsItWas) {
   EXPECT_EQ(read.charge.shoulder_error, 0.01);
   EXPECT_EQ(read.samples, 1234567890123);
   EXPECT_EQ(read.rejected_share, 1e-4);
+  EXPECT_EQ(read.revolutions, 1.0 / 3.0);
+  EXPECT_EQ(read.peak_error, 0.046);
+  EXPECT_EQ(read.target_error, 0.05);
+  measured.peak_error = std::nan("");
+  measured.target_error.reset();
+  write_measured(file, measured);
+  EXPECT_TRUE(std::isnan(read_measured(file).peak_error));
+  EXPECT_FALSE(read_measured(file).target_error);
+}
+
+TEST(Measured, TellsWhyItEnded) {
+  Measured measured{};
+  measured.revolutions = 1.5;
+  measured.peak_error = 0.0461;
+  EXPECT_EQ(end_of(measured), MeasurementEnd::no_target);
+  EXPECT_EQ(spoken_end(measured), "measured for 1.5 revolutions, rate at its peaks known to 4.6 %");
+  measured.target_error = 0.05;
+  EXPECT_EQ(end_of(measured), MeasurementEnd::target_reached);
+  EXPECT_EQ(spoken_end(measured),
+            "measured for 1.5 revolutions, rate at its peaks known to 4.6 % (target 5 %)");
+  measured.peak_error = 0.071;
+  measured.revolutions = 3.0;
+  EXPECT_EQ(end_of(measured), MeasurementEnd::most_revolutions);
+  EXPECT_EQ(
+      spoken_end(measured),
+      "measured for 3 revolutions, rate at its peaks known to 7.1 % after the greatest number "
+      "of revolutions; target 5 %");
+  measured.peak_error = std::nan("");
+  EXPECT_EQ(end_of(measured), MeasurementEnd::most_revolutions);
+  measured.target_error.reset();
+  measured.revolutions = 1.0;
+  EXPECT_EQ(spoken_end(measured), "measured for 1 revolution, rate at its peaks not known");
 }
 
 TEST_F(KeptFile, OfACycleComesBackAsItWas) {
@@ -81,8 +116,8 @@ TEST_F(KeptFile, CutShortIsRefusedByName) {
 TEST_F(KeptFile, OfAnotherKindOrVersionIsRefusedByName) {
   write_cycle(file, {});
   EXPECT_THAT(refusal_of_measured(), AllOf(HasSubstr(file.string()), HasSubstr("not a millwear")));
-  put_text(file, R"({"type": "millwear measured", "format_version": 2})");
-  EXPECT_THAT(refusal_of_measured(), HasSubstr("version 1"));
+  put_text(file, R"({"type": "millwear measured", "format_version": 1})");
+  EXPECT_THAT(refusal_of_measured(), HasSubstr("version 2"));
 }
 
 TEST_F(KeptFile, ThatIsMissingOrCannotBeWrittenIsADiskError) {

@@ -59,6 +59,15 @@ auto parsed(const std::filesystem::path& file, std::string_view type, int versio
   }
 }
 
+/// What a target that was missed would take.
+std::string spoken_need(const Measured& measured) {
+  const double target = *measured.target_error;
+  const double need = wear::length_to_reach({target, measured.peak_error}, measured.revolutions);
+  return std::isfinite(need)
+             ? fmt::format("{:g} % would take about {:.0f}", 100.0 * target, std::ceil(need - 0.1))
+             : fmt::format("target {:g} %", 100.0 * target);
+}
+
 }  // namespace
 
 MeasurementEnd end_of(const Measured& measured) {
@@ -93,8 +102,8 @@ std::string spoken_end(const Measured& measured) {
     case MeasurementEnd::target_reached:
       return fmt::format("{} (target {:g} %)", text, target);
     case MeasurementEnd::most_revolutions:
-      return fmt::format("{} after the greatest number of revolutions; target {:g} %", text,
-                         target);
+      return fmt::format("{} after the greatest number of revolutions; {}", text,
+                         spoken_need(measured));
   }
   throw std::logic_error("an end of no kind");
 }

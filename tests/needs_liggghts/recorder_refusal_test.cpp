@@ -228,6 +228,17 @@ TEST_F(RecorderRefusal, OfACommandLineThatDoesNotFit) {
                  "--pairs-after 250: no `run` of the deck begins at that step");
 }
 
+// 400 steps in ten blocks; the deck's last run ends at step 600.
+TEST_F(RecorderRefusal, OfAMeasurementThatCannotGoOnAsTold) {
+  expect_refused(run({{"--target-error", "0.05"}, {"--go-on-by", "30"}, {"--at-most", "660"}}),
+                 bad_input, "--go-on-by 30 makes no whole time blocks");
+  expect_refused(run({{"--until", "590"},
+                      {"--target-error", "0.05"},
+                      {"--go-on-by", "39"},
+                      {"--at-most", "629"}}),
+                 bad_input, "--until 590: no `run` of the deck ends at that step");
+}
+
 TEST_F(RecorderRefusal, OfAMissingFileNamesIt) {
   expect_refused(run({{"--case", "mine.toml"}}), bad_input, "mine.toml");
   expect_refused(run({{"--liner", "mine.csv"}}), bad_input, "mine.csv");

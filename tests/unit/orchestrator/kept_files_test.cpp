@@ -78,7 +78,7 @@ TEST(Measured, TellsWhyItEnded) {
   EXPECT_EQ(
       spoken_end(measured),
       "measured for 3 revolutions, rate at its peaks known to 7.1 % after the greatest number "
-      "of revolutions; target 5 %");
+      "of revolutions; 5 % would take about 6");
   measured.peak_error = std::nan("");
   EXPECT_EQ(end_of(measured), MeasurementEnd::most_revolutions);
   measured.target_error.reset();

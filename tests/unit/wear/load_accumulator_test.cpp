@@ -233,11 +233,9 @@ TEST(LoadAccumulator, EveryBlockHasItsOwnSums) {
 // Samples at 0.01, 0.02 ... 2.00 s stand for the time before them: fifty to each block of 0.5 s.
 TEST(LoadAccumulator, ASampleAtTheEndOfABlockIsOfThatBlock) {
   LoadAccumulator accumulator(square_lifter(), measurement);
-  for (int i = 1; i <= 200; ++i)
-    accumulator.add({0.01 * i, 0.0, {contact_at({0.0, 0.1}, 0, 0.0)}});
+  for (int i = 1; i <= 200; ++i) accumulator.add({0.01 * i, 0.0, {contact_at({0.0, 0.1}, 0, 0.0)}});
   const WallLoad load = accumulator.finish().load;
-  EXPECT_EQ(load.by_block(Measure::samples).colwise().sum(),
-            Eigen::RowVectorXd::Constant(4, 50.0));
+  EXPECT_EQ(load.by_block(Measure::samples).colwise().sum(), Eigen::RowVectorXd::Constant(4, 50.0));
 }
 
 /// Two balls of two classes that slide along the lifter, one of them now and then in the air.

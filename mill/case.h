@@ -121,6 +121,8 @@ struct CampaignSettings {
   double step_tolerance = 0.002;  ///< adaptive: share of the new lifter's volume that one load may
                                   ///< wear at the wrong place
   double largest_share = 0.5;     ///< adaptive: ... that one load may wear at all
+  std::vector<double> reversal_times = {};  ///< of milling, at which the rotation turns to the
+                                            ///< other way, increasing [s] (mill/rotation.h)
 };
 
 /// A mill as its owner describes it, complete and checked. SI units, angles in radians.

@@ -3,12 +3,32 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "mill/case_schema_check.h"
 #include "mill/case_units.h"
 #include "mill/case_values.h"
 
 namespace millwear {
+namespace {
+
+std::vector<double> build_reversals(const CaseTable& campaign, CaseProblems& problems) {
+  const CaseValue* const value = campaign.find("reversal_hours");
+  if (value == nullptr) return {};
+  std::vector<double> times = real_values(campaign, "reversal_hours");
+  const auto late = std::adjacent_find(times.begin(), times.end(), std::greater_equal<>());
+  if (late != times.end()) {
+    problems.add(
+        value->line,
+        fmt::format("`reversal_hours` is not in order ({} h stands before {} h); list each "
+                    "reversal once, the first first",
+                    *late, *(late + 1)));
+  }
+  for (double& time : times) time = time_from_hours(time);
+  return times;
+}
+
+}  // namespace
 
 std::size_t material_index(const std::vector<Material>& materials, const CaseTable& table,
                            std::string_view key, std::string_view name, CaseProblems& problems) {
@@ -107,7 +127,7 @@ DemSettings build_dem(const CaseDocument& document) {
           .error_target = build_error_target(dem)};
 }
 
-CampaignSettings build_campaign(const CaseDocument& document) {
+CampaignSettings build_campaign(const CaseDocument& document, CaseProblems& problems) {
   const CaseTable& campaign = *document.find("campaign");
   const double plate_thickness = real_value(*document.find("lifter"), "plate_thickness_m");
   return {
@@ -118,7 +138,8 @@ CampaignSettings build_campaign(const CaseDocument& document) {
       .cycle_limit = integer_value(campaign, "cycle_limit"),
       .scheme = text_value(campaign, "scheme") == "adaptive" ? Scheme::adaptive : Scheme::threshold,
       .step_tolerance = real_value(campaign, "step_tolerance"),
-      .largest_share = real_value(campaign, "largest_share")};
+      .largest_share = real_value(campaign, "largest_share"),
+      .reversal_times = build_reversals(campaign, problems)};
 }
 
 double build_speed(const CaseDocument& document, const LinerSector& sector, double largest_diameter,

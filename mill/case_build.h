@@ -30,7 +30,7 @@ namespace millwear {
                                       const std::vector<Material>& materials,
                                       CaseProblems& problems);
 
-[[nodiscard]] CampaignSettings build_campaign(const CaseDocument& document);
+[[nodiscard]] CampaignSettings build_campaign(const CaseDocument& document, CaseProblems& problems);
 
 /// Speed [rad/s], a whole `speed_rpm` x pi / 30 in either form, so that a locked copy repeats it.
 [[nodiscard]] double build_speed(const CaseDocument& document, const LinerSector& sector,

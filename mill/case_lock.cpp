@@ -1,6 +1,7 @@
 #include "mill/case_lock.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <iterator>
 #include <optional>
@@ -165,6 +166,11 @@ void write_campaign(const CampaignSettings& campaign, LockWriter& lock) {
   lock.key("height_limit_m", campaign.height_limit);
   lock.key("plate_limit_m", campaign.plate_limit);
   lock.key("cycle_limit", campaign.cycle_limit);
+  if (!campaign.reversal_times.empty()) {
+    std::vector<double> hours;
+    for (const double time : campaign.reversal_times) hours.push_back(time / time_from_hours(1.0));
+    lock.put("reversal_hours = [{}]\n", fmt::join(hours, ", "));
+  }
 }
 
 }  // namespace

@@ -213,6 +213,9 @@ constexpr KeySpec keys[] = {
      "... or at this least plate thickness; a tenth of `plate_thickness_m` where missing [m]"},
     {"campaign", "cycle_limit", integer, defaulted, "50", between(1, 10000), "",
      "the campaign stops after so many cycles"},
+    {"campaign", "reversal_hours", reals, optional, "", positive, "",
+     "operating hours at which the mill is made to turn the other way, increasing; never where "
+     "missing [h]"},
 };
 
 }  // namespace

@@ -18,6 +18,9 @@ namespace millwear {
   return rate * (1.0 / (365.25 * 86400.0));
 }
 
+/// [h] to [s]
+[[nodiscard]] inline double time_from_hours(double hours) { return hours * 3600.0; }
+
 /// [degrees] to [rad]
 [[nodiscard]] inline double angle_from_degrees(double degrees) {
   return degrees * (std::numbers::pi / 180.0);

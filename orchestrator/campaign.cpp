@@ -5,14 +5,18 @@
 namespace millwear::orchestrator {
 namespace {
 
-std::vector<StageKind> stages_of(int cycle) {
-  if (cycle == 0) return {StageKind::mesh, StageKind::mix, StageKind::dem, StageKind::wear};
+std::vector<StageKind> stages_of(int cycle, const Ledger& ledger) {
+  const LedgerEntry* const before = ledger.find({cycle - 1, StageKind::wear});
+  if (cycle == 0 || (before != nullptr && before->outcome == Outcome::reversed))
+    return {StageKind::mesh, StageKind::mix, StageKind::dem, StageKind::wear};
   return {StageKind::mesh, StageKind::dem, StageKind::wear};
 }
 
 std::string reason_for(const StageId& stage, const Ledger& ledger) {
   if (ledger.entries.empty()) return "the campaign is new";
   const auto& last = ledger.entries.back();
+  if (last.outcome == Outcome::reversed)
+    return fmt::format("the mill was reversed after {}", name_of(last.stage));
   if (stage.kind == StageKind::mesh)
     return fmt::format("{} left the liner above its limits", name_of(last.stage));
   return fmt::format("{} is published and this is not", name_of(last.stage));
@@ -21,13 +25,14 @@ std::string reason_for(const StageId& stage, const Ledger& ledger) {
 }  // namespace
 
 Outcome outcome_of(const Ledger& ledger) {
-  return ledger.entries.empty() ? Outcome::go_on : ledger.entries.back().outcome;
+  const auto last = ledger.entries.empty() ? Outcome::go_on : ledger.entries.back().outcome;
+  return last == Outcome::reversed ? Outcome::go_on : last;
 }
 
 std::optional<NextStage> next_stage(const Ledger& ledger, int cycle_limit) {
   if (outcome_of(ledger) != Outcome::go_on) return std::nullopt;
   for (int cycle = 0; cycle < cycle_limit; ++cycle)
-    for (const StageKind kind : stages_of(cycle)) {
+    for (const StageKind kind : stages_of(cycle, ledger)) {
       const StageId stage{cycle, kind};
       if (ledger.find(stage) == nullptr) return NextStage{stage, reason_for(stage, ledger)};
     }

@@ -16,10 +16,11 @@ struct NextStage {
 
 /// The first stage of the campaign that the ledger does not have; std::nullopt once a cycle has
 /// reached a limit or `cycle_limit` cycles are done. Each cycle goes mesh, dem, wear, with mix
-/// before the first dem.
+/// before the first dem and before the first after a reversal: the mirrored steel may stand where
+/// the last charge lies.
 [[nodiscard]] std::optional<NextStage> next_stage(const Ledger& ledger, int cycle_limit);
 
-/// How the campaign stands: the last outcome, or go_on.
+/// How the campaign stands: the limit it ended at, or go_on.
 [[nodiscard]] Outcome outcome_of(const Ledger& ledger);
 
 /// What the campaign does to the world; tests put a fake in its place.

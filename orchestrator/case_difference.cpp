@@ -80,6 +80,7 @@ Case with_law_of(const Case& here, const Case& there, std::string_view folder) {
   Case result = there;
   result.wear.mechanisms = here.wear.mechanisms;
   result.campaign = here.campaign;
+  result.campaign.reversal_times = there.campaign.reversal_times;
   auto texts = differences(here, result);
   if (texts.empty()) return result;
   const std::size_t more = texts.size() - std::min(texts.size(), most_named);

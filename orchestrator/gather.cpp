@@ -1,6 +1,7 @@
 #include "orchestrator/gather.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <numbers>
@@ -23,7 +24,10 @@ std::vector<double> as_vector(const Eigen::VectorXd& values) {
   return {values.begin(), values.end()};
 }
 
-std::vector<Eigen::Vector2d> places_on(const LinerProfile& profile, const Eigen::VectorXd& at) {
+/// Places in the steel's frame, by their arc lengths on the DEM's liner of a cycle.
+std::vector<Eigen::Vector2d> places_on(const Campaign& campaign, int cycle,
+                                       const Eigen::VectorXd& at) {
+  const LinerProfile profile = dem_liner_of_cycle(campaign, cycle);
   const auto arc = arc_lengths(profile);
   std::vector<Eigen::Vector2d> places;
   std::size_t segment = 0;
@@ -32,6 +36,9 @@ std::vector<Eigen::Vector2d> places_on(const LinerProfile& profile, const Eigen:
     const double t = (s - arc[segment]) / (arc[segment + 1] - arc[segment]);
     places.emplace_back((1.0 - t) * profile.nodes[segment] + t * profile.nodes[segment + 1]);
   }
+  const bool is_reversed = rotation_of_cycle(campaign, cycle) == Rotation::reversed;
+  if (is_reversed)
+    for (auto& place : places) place.x() = -place.x();
   return places;
 }
 
@@ -60,7 +67,7 @@ LoadAlongProfile load_of_cycle(const Campaign& campaign, int cycle, const WallLo
   return {cycle,
           as_vector(centres),
           as_vector(widths),
-          places_on(liner_of_cycle(campaign, cycle), centres),
+          places_on(campaign, cycle, centres),
           rate_line(load, Measure::samples, widths.array(), how),
           rate_line(load, Measure::normal_dissipation, surface_time, how),
           rate_line(load, Measure::sliding_work, surface_time, how),
@@ -68,7 +75,7 @@ LoadAlongProfile load_of_cycle(const Campaign& campaign, int cycle, const WallLo
 }
 
 HistoryRow row_of(const Campaign& campaign, const LinerProfile& liner, const Measured& measured,
-                  const StageId& stage, int step, double hours) {
+                  const StageId& stage, int step, double hours, Rotation rotation) {
   const auto& fresh = campaign.mill.liner;
   const auto feed = campaign.mill.feed_rate;
   return {stage.cycle,
@@ -76,7 +83,7 @@ HistoryRow row_of(const Campaign& campaign, const LinerProfile& liner, const Mea
           hours,
           feed ? *feed * hours * seconds_per_hour / kilograms_per_tonne : std::nan(""),
           lifter_height(liner),
-          leading_face_angle(liner),
+          leading_face_angle(as_turned(liner, rotation)),
           plate_thickness(liner),
           steel_area(fresh) - steel_area(liner),
           1.0 - lifter_area(liner) / lifter_area(fresh),
@@ -113,16 +120,19 @@ void add_cycle(const Campaign& campaign, int cycle, ReportData& data) {
   const auto kept =
       read_cycle(campaign.folder.stage(wear_id) / stage_files::steps, mill.liner.sector);
   if (cycle == 0) {
-    data.history.push_back(row_of(campaign, mill.liner, measured, wear_id, 0, 0.0));
+    data.history.push_back(
+        row_of(campaign, mill.liner, measured, wear_id, 0, 0.0, Rotation::as_new));
     data.profiles.push_back({0, 0, 0.0, mill.liner.nodes});
   }
   Conservation balance{cycle, 0.0, 0.0, kept.smoothing_moved_share, measured.rejected_share};
+  const Rotation rotation = rotation_of_cycle(campaign, cycle);
   double hours = data.history.back().operating_hours;
   for (std::size_t i = 0; i < kept.steps.size(); ++i) {
     const auto& step = kept.steps[i];
     const int number = static_cast<int>(i) + 1;
     hours += step.duration / seconds_per_hour;
-    data.history.push_back(row_of(campaign, step.profile, measured, wear_id, number, hours));
+    data.history.push_back(
+        row_of(campaign, step.profile, measured, wear_id, number, hours, rotation));
     data.profiles.push_back({cycle, number, hours, step.profile.nodes});
     balance.removed += step.removed_area;
     balance.accounted += step.accounted_area + step.fallen_area;
@@ -150,6 +160,14 @@ Life life_from(const Campaign& campaign, const Ledger& ledger, const ReportData&
   return life;
 }
 
+std::string spoken_rotation(const Case& mill) {
+  std::vector<std::string> hours;
+  for (const double time : mill.campaign.reversal_times)
+    hours.push_back(fmt::format("{:g}", time / seconds_per_hour));
+  return hours.empty() ? "always the same way"
+                       : fmt::format("reversed at {} operating hours", fmt::join(hours, ", "));
+}
+
 std::vector<LabelledValue> description_of(const Case& mill) {
   const auto& sector = mill.liner.sector;
   const double degree = std::numbers::pi / 180.0;
@@ -159,6 +177,7 @@ std::vector<LabelledValue> description_of(const Case& mill) {
           {"Speed",
            fmt::format("{:.2f} rpm, {:.0f} % of critical", mill.speed * 30.0 / std::numbers::pi,
                        100.0 * critical_speed_fraction(mill))},
+          {"Rotation", spoken_rotation(mill)},
           {"Charge", fmt::format("{} particles, filling {:.1f} %", totals(mill).particles,
                                  100.0 * computed_filling(mill))},
           {"New lifter",

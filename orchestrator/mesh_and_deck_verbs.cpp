@@ -55,7 +55,7 @@ void deck_verb(const Command& command) {
     return folder;
   };
   write_mesh(mill, mill.liner, folder_of(StageKind::mesh));
-  write_mixing_deck(campaign, folder_of(StageKind::mix));
+  write_mixing_deck(campaign, 0, folder_of(StageKind::mix));
   write_measuring_deck(campaign, 0, folder_of(StageKind::dem));
   write_file(campaign.folder.locked_case(), locked_case_text(mill));
   print_folder(command, campaign.folder.root, "the decks (cycle_000/mix, then cycle_000/dem) are");

@@ -41,7 +41,7 @@ std::size_t triangles_of_mesh(const std::filesystem::path& mesh_folder) {
 }
 
 void mesh_stage(const Campaign& campaign, int cycle, const std::filesystem::path& into) {
-  write_mesh(campaign.mill, liner_of_cycle(campaign, cycle), into);
+  write_mesh(campaign.mill, dem_liner_of_cycle(campaign, cycle), into);
 }
 
 }  // namespace millwear::orchestrator

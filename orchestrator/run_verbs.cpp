@@ -252,12 +252,14 @@ void status_verb(const Command& command) {
   while (ledger.find({next_cycle, StageKind::wear}) != nullptr) ++next_cycle;
   const LinerProfile liner = liner_of_cycle(campaign, next_cycle);
   const auto measured = latest_measurement(campaign, ledger);
+  const bool reversed = rotation_of_cycle(campaign, next_cycle) == Rotation::reversed;
   if (command.form == OutputForm::json) {
     fmt::print("{}\n", nlohmann::json{{"running", running},
                                       {"outcome", name_of(outcome_of(ledger))},
                                       {"cycles", next_cycle},
                                       {"next", next ? name_of(next->stage) : ""},
                                       {"latest_load", latest_measurement_json(measured)},
+                                      {"reversed", reversed},
                                       {"lifter_height_m", lifter_height(liner)},
                                       {"share_of_life", share_of_life(mill, liner)}}
                            .dump(1));
@@ -268,6 +270,9 @@ void status_verb(const Command& command) {
              100.0 * share_of_life(mill, liner));
   if (measured)
     fmt::print("latest load (cycle {}): {}\n", measured->first, spoken_end(measured->second));
+  if (!mill.campaign.reversal_times.empty())
+    fmt::print("turning {}\n", reversed ? "the other way than when the liner was new"
+                                        : "as when the liner was new");
   if (running)
     fmt::print("running: {}\n", next ? name_of(next->stage) : "gathering the results");
   else if (next)

@@ -11,7 +11,8 @@ namespace millwear::orchestrator {
 namespace {
 
 constexpr std::array<std::string_view, 4> kind_names = {"mesh", "mix", "dem", "wear"};
-constexpr std::array<std::string_view, 3> outcome_names = {"go_on", "height_limit", "plate_limit"};
+constexpr std::array<std::string_view, 4> outcome_names = {"go_on", "height_limit", "plate_limit",
+                                                           "reversed"};
 
 template <class Enum, std::size_t N>
 Enum value_named(const std::array<std::string_view, N>& names, std::string_view name) {

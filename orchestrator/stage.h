@@ -8,7 +8,7 @@ namespace millwear::orchestrator {
 /// What a cycle consists of. A stage is atomic: it is published whole or runs again from its start.
 enum class StageKind {
   mesh,  ///< liner profile -> STL, STEP, DXF
-  mix,   ///< cycle 0 only: pack the charge, let it fall and mix
+  mix,   ///< pack the charge anew, let it fall and mix: in cycle 0 and after a reversal
   dem,   ///< settle on the new mesh and measure the load
   wear,  ///< load -> loss of steel -> next profile
 };
@@ -20,7 +20,12 @@ struct StageId {
 };
 
 /// How a published stage leaves the campaign.
-enum class Outcome { go_on, height_limit, plate_limit };
+enum class Outcome {
+  go_on,
+  height_limit,
+  plate_limit,
+  reversed,  ///< it goes on, and the mill turns the other way from now
+};
 
 [[nodiscard]] std::string_view name_of(StageKind kind);
 [[nodiscard]] std::string_view name_of(Outcome outcome);

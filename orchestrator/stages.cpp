@@ -29,7 +29,7 @@ Outcome work_of(const Campaign& campaign, const StageId& stage, const fs::path& 
       mesh_stage(campaign, stage.cycle, into);
       return Outcome::go_on;
     case StageKind::mix:
-      mix_stage(campaign, into, progress);
+      mix_stage(campaign, stage.cycle, into, progress);
       return Outcome::go_on;
     case StageKind::dem:
       dem_stage(campaign, stage.cycle, into, progress);
@@ -53,7 +53,30 @@ void make_folder(const fs::path& folder) {
 LinerProfile liner_of_cycle(const Campaign& campaign, int cycle) {
   if (cycle == 0) return campaign.mill.liner;
   const auto folder = campaign.folder.stage({cycle - 1, StageKind::wear});
-  return read_cycle(folder / stage_files::steps, campaign.mill.liner.sector).steps.back().profile;
+  const auto kept = read_cycle(folder / stage_files::steps, campaign.mill.liner.sector);
+  const bool was_worn_out_before = kept.steps.empty();
+  return was_worn_out_before ? liner_of_cycle(campaign, cycle - 1) : kept.steps.back().profile;
+}
+
+Rotation rotation_of_cycle(const Campaign& campaign, int cycle) {
+  const auto& times = campaign.mill.campaign.reversal_times;
+  if (times.empty()) return Rotation::as_new;
+  return rotation_after(times, milling_time_before(campaign, cycle));
+}
+
+LinerProfile dem_liner_of_cycle(const Campaign& campaign, int cycle) {
+  return as_turned(liner_of_cycle(campaign, cycle), rotation_of_cycle(campaign, cycle));
+}
+
+int first_cycle_of_rotation(const Campaign& campaign, int cycle) {
+  const auto& times = campaign.mill.campaign.reversal_times;
+  if (times.empty()) return 0;
+  const auto reversals_before = [&](int of) {
+    return reversals_by(times, milling_time_before(campaign, of));
+  };
+  int first = cycle;
+  while (first > 0 && reversals_before(first - 1) == reversals_before(cycle)) --first;
+  return first;
 }
 
 double milling_time_before(const Campaign& campaign, int cycle) {

@@ -1,5 +1,6 @@
 #pragma once
 #include "mill/case.h"
+#include "mill/rotation.h"
 #include "orchestrator/ledger.h"
 #include "orchestrator/measured.h"
 #include "orchestrator/progress.h"
@@ -14,8 +15,19 @@ struct Campaign {
   int ranks;
 };
 
-/// The liner that a cycle begins with: the new one, or what the cycle before left.
+/// The liner that a cycle begins with: the new one, or what the cycle before left. In the steel's
+/// frame, xi along the rotation when the liner was new.
 [[nodiscard]] LinerProfile liner_of_cycle(const Campaign& campaign, int cycle);
+
+/// Which way the mill turns during a cycle.
+[[nodiscard]] Rotation rotation_of_cycle(const Campaign& campaign, int cycle);
+
+/// The same liner in the DEM's frame, xi along the rotation of the cycle: mesh, deck and load are
+/// on this one.
+[[nodiscard]] LinerProfile dem_liner_of_cycle(const Campaign& campaign, int cycle);
+
+/// The first cycle with the rotation of this one: its DEM begins with a new charge.
+[[nodiscard]] int first_cycle_of_rotation(const Campaign& campaign, int cycle);
 
 /// Time that the mill has milled when a cycle's load is measured, since its liner was new [s].
 [[nodiscard]] double milling_time_before(const Campaign& campaign, int cycle);
@@ -33,14 +45,15 @@ void make_folder(const std::filesystem::path& folder);
 
 /// The work of each stage, into `into`; `wear` tells how it leaves the liner.
 void mesh_stage(const Campaign& campaign, int cycle, const std::filesystem::path& into);
-void mix_stage(const Campaign& campaign, const std::filesystem::path& into, Progress& progress);
+void mix_stage(const Campaign& campaign, int cycle, const std::filesystem::path& into,
+               Progress& progress);
 void dem_stage(const Campaign& campaign, int cycle, const std::filesystem::path& into,
                Progress& progress);
 [[nodiscard]] Outcome wear_stage(const Campaign& campaign, int cycle,
                                  const std::filesystem::path& into);
 
 /// The decks of a stretch and, for a mixing one, its charge, written into `into`.
-void write_mixing_deck(const Campaign& campaign, const std::filesystem::path& into);
+void write_mixing_deck(const Campaign& campaign, int cycle, const std::filesystem::path& into);
 void write_measuring_deck(const Campaign& campaign, int cycle, const std::filesystem::path& into);
 
 /// What millwear-recorder is told of a measuring stretch, besides its deck; paths are from the

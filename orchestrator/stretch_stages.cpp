@@ -33,9 +33,10 @@ const char* const mesh_from_stage = "../mesh/liner.stl";
 const char* const profile_from_stage = "../mesh/profile.csv";
 const char* const locked_case_from_stage = "../../case.lock.toml";
 
-std::string previous_restart(int cycle) {
-  return cycle == 0 ? fmt::format("../mix/{}", names::restart)
-                    : fmt::format("../../cycle_{:03}/dem/{}", cycle - 1, names::restart);
+std::string previous_restart(const Campaign& campaign, int cycle) {
+  const bool is_mixed_anew = first_cycle_of_rotation(campaign, cycle) == cycle;
+  return is_mixed_anew ? fmt::format("../mix/{}", names::restart)
+                       : fmt::format("../../cycle_{:03}/dem/{}", cycle - 1, names::restart);
 }
 
 liggghts::LinerMeshFile mesh_of(const Campaign& campaign, int cycle) {
@@ -176,7 +177,7 @@ void read_dumps(const Campaign& campaign, int cycle, const liggghts::StretchStep
                 const fs::path& into, Progress& progress) {
   const auto& mill = campaign.mill;
   wear::LoadAccumulator load(
-      liner_of_cycle(campaign, cycle),
+      dem_liner_of_cycle(campaign, cycle),
       wear::load_measurement(mill, steps.measure_time(), steps.sample_interval(),
                              mesh_of(campaign, cycle).triangles));
   liggghts::ContactJoin join(
@@ -205,22 +206,24 @@ void read_dumps(const Campaign& campaign, int cycle, const liggghts::StretchStep
 
 }  // namespace
 
-void write_mixing_deck(const Campaign& campaign, const fs::path& into) {
+void write_mixing_deck(const Campaign& campaign, int cycle, const fs::path& into) {
   const auto& mill = campaign.mill;
   const auto steps = liggghts::mixing_steps(mill, plan_steps(mill));
-  write_file(into / names::charge, liggghts::charge_data_file(mill, liggghts::pack_charge(mill)));
+  Case packed = mill;
+  packed.liner = dem_liner_of_cycle(campaign, cycle);
+  write_file(into / names::charge, liggghts::charge_data_file(mill, liggghts::pack_charge(packed)));
   write_file(into / names::deck, liggghts::mixing_deck(mill, steps));
   write_file(into / names::contact_model,
-             liggghts::contact_model_deck(mill, steps, mesh_of(campaign, 0),
-                                          liggghts::StretchKind::mix, 0));
+             liggghts::contact_model_deck(mill, steps, mesh_of(campaign, cycle),
+                                          liggghts::StretchKind::mix, cycle));
 }
 
 void write_measuring_deck(const Campaign& campaign, int cycle, const fs::path& into) {
   const auto& mill = campaign.mill;
   const auto steps = liggghts::measuring_steps(mill, plan_steps(mill));
   write_file(into / names::deck,
-             liggghts::measuring_deck(mill, steps, liner_of_cycle(campaign, cycle),
-                                      previous_restart(cycle)));
+             liggghts::measuring_deck(mill, steps, dem_liner_of_cycle(campaign, cycle),
+                                      previous_restart(campaign, cycle)));
   write_file(into / names::contact_model,
              liggghts::contact_model_deck(mill, steps, mesh_of(campaign, cycle),
                                           liggghts::StretchKind::measure, cycle));
@@ -246,12 +249,12 @@ std::vector<std::string> recorder_arguments(const Case& mill) {
   return arguments;
 }
 
-void mix_stage(const Campaign& campaign, const fs::path& into, Progress& progress) {
+void mix_stage(const Campaign& campaign, int cycle, const fs::path& into, Progress& progress) {
   const auto steps = liggghts::mixing_steps(campaign.mill, plan_steps(campaign.mill));
   check_free_disk(campaign.mill, steps, into);
-  write_mixing_deck(campaign, into);
-  run_liggghts({into, campaign.ranks, step_follower({0, StageKind::mix}, steps, progress)}, {});
-  check_stretch(campaign, 0, steps, into);
+  write_mixing_deck(campaign, cycle, into);
+  run_liggghts({into, campaign.ranks, step_follower({cycle, StageKind::mix}, steps, progress)}, {});
+  check_stretch(campaign, cycle, steps, into);
 }
 
 void dem_stage(const Campaign& campaign, int cycle, const fs::path& into, Progress& progress) {

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -12,11 +13,12 @@
 namespace millwear::orchestrator {
 namespace {
 
-Outcome outcome_from_end(wear::EvolutionEnd end) {
+/// `is_reversed`: the steps led to a reversal of the rotation.
+Outcome outcome_from_end(wear::EvolutionEnd end, bool is_reversed) {
   switch (end) {
     case wear::EvolutionEnd::load_spent:
     case wear::EvolutionEnd::time_reached:
-      return Outcome::go_on;
+      return is_reversed ? Outcome::reversed : Outcome::go_on;
     case wear::EvolutionEnd::height_limit:
       return Outcome::height_limit;
     case wear::EvolutionEnd::plate_limit:
@@ -38,15 +40,16 @@ struct LoadsOfCycle {
 };
 
 LoadsOfCycle loads_of_cycle(const Campaign& campaign, int cycle) {
-  const int first = campaign.mill.campaign.scheme == Scheme::threshold
-                        ? cycle
-                        : std::max(0, cycle + 1 - loads_that_count);
+  const int first =
+      campaign.mill.campaign.scheme == Scheme::threshold
+          ? cycle
+          : std::max(first_cycle_of_rotation(campaign, cycle), cycle + 1 - loads_that_count);
   std::vector<wear::TimedLoad> timed;
   for (int i = first;; ++i) {
     const wear::LoadRate rate = wear::rate_of_load(
         campaign.mill,
         wear::read_load(campaign.folder.stage({i, StageKind::dem}) / stage_files::load));
-    timed.push_back({milling_time_before(campaign, i), liner_of_cycle(campaign, i),
+    timed.push_back({milling_time_before(campaign, i), dem_liner_of_cycle(campaign, i),
                      rate.smoothed.rate, rate.smoothed.block_modes.rowwise().norm()});
     if (i == cycle) return {std::move(timed), rate};
   }
@@ -58,13 +61,22 @@ Outcome wear_stage(const Campaign& campaign, int cycle, const std::filesystem::p
   const auto& mill = campaign.mill;
   const LoadsOfCycle loads = loads_of_cycle(campaign, cycle);
   const wear::LoadRate& rate = loads.newest;
-  const auto evolution = wear::evolve(loads.timed, lifter_area(mill.liner), mill.campaign);
+  const auto& reversals = mill.campaign.reversal_times;
+  const double begin = milling_time_before(campaign, cycle);
+  const Rotation rotation = rotation_after(reversals, begin);
+  const auto evolution = wear::evolve(
+      loads.timed, lifter_area(mill.liner), mill.campaign,
+      time_to_reversal(reversals, begin).value_or(std::numeric_limits<double>::infinity()));
+  double end = begin;
   KeptCycle kept{rate.smoothed.moved_share, rate.raw.dot(rate.load.bin_widths()), {}};
-  for (const auto& step : evolution.steps)
-    kept.steps.push_back(
-        {step.duration, step.removed_area, step.accounted_area, step.fallen_area, step.profile});
+  for (const auto& step : evolution.steps) {
+    kept.steps.push_back({step.duration, step.removed_area, step.accounted_area, step.fallen_area,
+                          as_turned(step.profile, rotation)});
+    end += step.duration;
+  }
   write_cycle(into / stage_files::steps, kept);
-  return outcome_from_end(evolution.end);
+  return outcome_from_end(evolution.end,
+                          reversals_by(reversals, end) > reversals_by(reversals, begin));
 }
 
 }  // namespace millwear::orchestrator

@@ -78,6 +78,17 @@ const ReferenceCampaign& ReferenceCampaign::of_dumps() {
   return reference;
 }
 
+const ReferenceCampaign& ReferenceCampaign::of_a_reversal() {
+  static const ReferenceCampaign reference([] {
+    const std::string limit = "cycle_limit = 20";
+    std::string text = text_of(case_file);
+    return text.replace(
+        text.find(limit), limit.size(),
+        "cycle_limit = 2\nreversal_hours = [" + std::to_string(reversal_hours) + "]");
+  }());
+  return reference;
+}
+
 ReferenceCampaign::ReferenceCampaign(const std::string& case_text) {
   put_text(case_, case_text);
   const Ended ended = millwear(run_into(path_, case_));

@@ -42,6 +42,9 @@ class ReferenceCampaign {
   /// The same through the text dumps of the plain liggghts.
   static const ReferenceCampaign& of_dumps();
 
+  /// The same mill, turned around at `reversal_hours` within its first cycle, for two cycles.
+  static const ReferenceCampaign& of_a_reversal();
+
   /// All stages in the order they ran.
   [[nodiscard]] std::vector<StageName> stages() const;
   /// Makes `campaign` what it was when `stage` was about to begin.
@@ -58,6 +61,8 @@ class ReferenceCampaign {
   std::filesystem::path path_ = folder_.path() / "run";
   std::filesystem::path case_ = folder_.path() / "crash_mill.toml";
 };
+
+inline constexpr double reversal_hours = 3000.0;
 
 /// The command that starts a campaign and resumes it.
 [[nodiscard]] std::vector<std::string> run_into(const std::filesystem::path& campaign,

@@ -27,6 +27,7 @@ struct FakeWorld {
   Outcome last_outcome = Outcome::height_limit;
   FailingEffect failing = FailingEffect::none;
   int fails_after = 0;
+  int reversed_after = -1;  ///< the cycle whose steps end at a reversal
 
   std::vector<std::string> published{};
   std::vector<std::size_t> gathered{};
@@ -41,7 +42,13 @@ struct FakeWorld {
               maybe_fail(FailingEffect::run_stage);
               published.push_back(name_of(stage));
               const bool ends = stage == StageId{last_cycle, StageKind::wear};
-              return LedgerEntry{stage, ends ? last_outcome : Outcome::go_on, {}, 1.0};
+              const bool turns = stage == StageId{reversed_after, StageKind::wear};
+              return LedgerEntry{stage,
+                                 ends    ? last_outcome
+                                 : turns ? Outcome::reversed
+                                         : Outcome::go_on,
+                                 {},
+                                 1.0};
             },
             [this](const LedgerEntry& entry) {
               maybe_fail(FailingEffect::record);
@@ -99,6 +106,25 @@ TEST(Campaign, FinishedOneRunsNothing) {
   world.published.clear();
   run_campaign(finished, 20, world.effects());
   EXPECT_THAT(world.published, IsEmpty());
+}
+
+// The mirrored steel may stand where the charge lies: the cycle after a reversal mixes anew, and
+// only that one.
+TEST(Campaign, MixesAnewAfterAReversal) {
+  FakeWorld world{.last_cycle = 2, .reversed_after = 0};
+  const Ledger finished = run_campaign(new_ledger, 20, world.effects());
+  EXPECT_THAT(world.published,
+              ElementsAre("cycle 0 mesh", "cycle 0 mix", "cycle 0 dem", "cycle 0 wear",
+                          "cycle 1 mesh", "cycle 1 mix", "cycle 1 dem", "cycle 1 wear",
+                          "cycle 2 mesh", "cycle 2 dem", "cycle 2 wear"));
+  EXPECT_EQ(outcome_of(finished), Outcome::height_limit);
+}
+
+TEST(Campaign, GoesOnWhereItStoppedAfterAReversal) {
+  FakeWorld world{.last_cycle = 9, .reversed_after = 0};
+  const Ledger reversed = run_campaign(new_ledger, 1, world.effects());
+  EXPECT_EQ(outcome_of(reversed), Outcome::go_on);
+  EXPECT_EQ(next_stage(reversed, 2)->why, "the mill was reversed after cycle 0 wear");
 }
 
 TEST(Campaign, SaysWhyAStageIsNext) {

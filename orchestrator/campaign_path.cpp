@@ -21,6 +21,13 @@ std::vector<wear::PathStep> steps_of(const KeptCampaign& kept, int cycle) {
   return steps;
 }
 
+/// The smoothed rate of a load, along the liner in the steel's frame.
+wear::ArcCurve rate_along_steel(const Case& mill, const WallLoad& recorded, Rotation rotation) {
+  wear::ArcCurve rate = wear::rate_of_load(mill, recorded).smoothed.rate;
+  if (rotation == Rotation::reversed) rate.values.reverseInPlace();
+  return rate;
+}
+
 }  // namespace
 
 std::vector<wear::PathCycle> path_cycles(const KeptCampaign& kept, const Case& other) {
@@ -29,14 +36,15 @@ std::vector<wear::PathCycle> path_cycles(const KeptCampaign& kept, const Case& o
   for (int cycle = 0; kept.ledger.find({cycle, StageKind::dem}) != nullptr; ++cycle) {
     const auto recorded =
         wear::read_load(campaign.folder.stage({cycle, StageKind::dem}) / stage_files::load);
+    const Rotation rotation = rotation_of_cycle(campaign, cycle);
     cycles.push_back({liner_of_cycle(campaign, cycle),
-                      wear::rate_of_load(campaign.mill, recorded).smoothed.rate,
+                      rate_along_steel(campaign.mill, recorded, rotation),
                       {},
                       steps_of(kept, cycle)});
     for (const auto& mechanism : other.wear.mechanisms) {
       Case alone = other;
       alone.wear.mechanisms = {mechanism};
-      cycles.back().mechanisms.push_back(wear::rate_of_load(alone, recorded).smoothed.rate);
+      cycles.back().mechanisms.push_back(rate_along_steel(alone, recorded, rotation));
     }
   }
   if (cycles.front().steps.empty())

@@ -93,6 +93,9 @@ TEST_F(TurningCampaign, WearsBothFaces) {
   EXPECT_LT(one_way, -1e-5);
 
   EXPECT_EQ(wear(1), Outcome::reversed);
+  const auto worn = campaign.folder.stage({1, StageKind::wear}) / stage_files::steps;
+  const auto on_the_way = read_cycle(worn, campaign.mill.liner.sector).steps.front().profile;
+  EXPECT_LT(asymmetry(on_the_way), 0.2 * one_way);
   EXPECT_NEAR(milling_time_before(campaign, 2), 2.0 * turn_time, 1e-3);
   EXPECT_EQ(rotation_of_cycle(campaign, 2), Rotation::as_new);
   EXPECT_LT(std::abs(asymmetry(liner_of_cycle(campaign, 2))), 0.05 * std::abs(one_way));

@@ -11,8 +11,10 @@
 #include "mill/time_step.h"
 #include "orchestrator/campaign.h"
 #include "orchestrator/impacts.h"
+#include "orchestrator/uncertainty.h"
 #include "wear/load_rate.h"
 #include "wear/load_store.h"
+#include "wear/smoothing_error.h"
 
 namespace millwear::orchestrator {
 namespace {
@@ -50,14 +52,16 @@ LoadLine rate_line(const WallLoad& load, Measure measure, const Eigen::ArrayXd& 
   const Eigen::MatrixXd block_rates =
       (by_block.array().colwise() / divisor).matrix() * static_cast<double>(load.block_count);
   const Eigen::VectorXd positive = raw.cwiseMax(0.0);
-  const auto smooth = positive.sum() > 0.0
-                          ? wear::smoothed(load.bin_edges, positive, block_rates, how).rate.values
-                          : positive;
-  return {as_vector(raw), as_vector(wear::error_of_mean(block_rates)), as_vector(smooth)};
+  LoadLine line{
+      as_vector(raw), as_vector(wear::error_of_mean(block_rates)), as_vector(positive), {}};
+  if (!(positive.sum() > 0.0)) return line;
+  const auto smooth = wear::smoothed(load.bin_edges, positive, block_rates, how);
+  line.smoothed = as_vector(smooth.rate.values);
+  line.smoothed_error = as_vector(wear::standard_error(smooth));
+  return line;
 }
 
-LoadAlongProfile load_of_cycle(const Campaign& campaign, int cycle, const WallLoad& recorded) {
-  const auto rate = wear::rate_of_load(campaign.mill, recorded);
+LoadAlongProfile load_of_cycle(const Campaign& campaign, int cycle, const wear::LoadRate& rate) {
   const auto& load = rate.load;
   const Eigen::VectorXd widths = load.bin_widths();
   const Eigen::VectorXd centres = load.bin_edges.head(load.bins()) + 0.5 * widths;
@@ -71,7 +75,10 @@ LoadAlongProfile load_of_cycle(const Campaign& campaign, int cycle, const WallLo
           rate_line(load, Measure::samples, widths.array(), how),
           rate_line(load, Measure::normal_dissipation, surface_time, how),
           rate_line(load, Measure::sliding_work, surface_time, how),
-          {as_vector(rate.raw), {}, as_vector(rate.smoothed.rate.values)}};
+          {as_vector(rate.raw),
+           {},
+           as_vector(rate.smoothed.rate.values),
+           as_vector(wear::standard_error(rate.smoothed))}};
 }
 
 HistoryRow row_of(const Campaign& campaign, const LinerProfile& liner, const Measured& measured,
@@ -92,7 +99,10 @@ HistoryRow row_of(const Campaign& campaign, const LinerProfile& liner, const Mea
           measured.charge.toe,
           measured.power_error,
           measured.charge.shoulder_error,
-          measured.charge.toe_error};
+          measured.charge.toe_error,
+          0.0,
+          0.0,
+          0.0};
 }
 
 /// The power of a cycle by blocks of its measurement.
@@ -112,7 +122,8 @@ PowerSeries power_of_cycle(int cycle, const Measured& measured, int blocks) {
   return series;
 }
 
-void add_cycle(const Campaign& campaign, int cycle, ReportData& data) {
+/// Adds what a cycle left to the report, but for what is not known of it: that is returned.
+wear::WornCycle add_cycle(const Campaign& campaign, int cycle, ReportData& data) {
   const auto& mill = campaign.mill;
   const StageId wear_id{cycle, StageKind::wear};
   const auto measured =
@@ -122,7 +133,8 @@ void add_cycle(const Campaign& campaign, int cycle, ReportData& data) {
   if (cycle == 0) {
     data.history.push_back(
         row_of(campaign, mill.liner, measured, wear_id, 0, 0.0, Rotation::as_new));
-    data.profiles.push_back({0, 0, 0.0, mill.liner.nodes});
+    data.profiles.push_back(
+        {0, 0, 0.0, mill.liner.nodes, std::vector<double>(mill.liner.nodes.size(), 0.0)});
   }
   Conservation balance{cycle, 0.0, 0.0, kept.smoothing_moved_share, measured.rejected_share};
   const Rotation rotation = rotation_of_cycle(campaign, cycle);
@@ -133,7 +145,7 @@ void add_cycle(const Campaign& campaign, int cycle, ReportData& data) {
     hours += step.duration / seconds_per_hour;
     data.history.push_back(
         row_of(campaign, step.profile, measured, wear_id, number, hours, rotation));
-    data.profiles.push_back({cycle, number, hours, step.profile.nodes});
+    data.profiles.push_back({cycle, number, hours, step.profile.nodes, {}});
     balance.removed += step.removed_area;
     balance.accounted += step.accounted_area + step.fallen_area;
   }
@@ -142,8 +154,10 @@ void add_cycle(const Campaign& campaign, int cycle, ReportData& data) {
       wear::read_record(campaign.folder.stage({cycle, StageKind::dem}) / stage_files::load);
   data.power.push_back(
       power_of_cycle(cycle, measured, static_cast<int>(recorded.load.block_count)));
-  data.loads.push_back(load_of_cycle(campaign, cycle, recorded.load));
+  const auto rate = wear::rate_of_load(mill, recorded.load);
+  data.loads.push_back(load_of_cycle(campaign, cycle, rate));
   data.impacts.push_back(impacts_of(cycle, recorded, mill));
+  return worn_cycle(campaign, cycle, rate, kept);
 }
 
 Life life_from(const Campaign& campaign, const Ledger& ledger, const ReportData& data) {
@@ -201,9 +215,11 @@ ReportData gather(const Campaign& campaign, const Ledger& ledger) {
   data.plate_limit = mill.campaign.plate_limit;
   data.warnings = warnings(mill);
   data.energy_edges = as_vector(wear::energy_edges());
+  std::vector<wear::WornCycle> cycles;
   for (int cycle = 0; ledger.find({cycle, StageKind::wear}) != nullptr; ++cycle)
-    add_cycle(campaign, cycle, data);
+    cycles.push_back(add_cycle(campaign, cycle, data));
   data.life = life_from(campaign, ledger, data);
+  add_uncertainty(mill, cycles, data);
   double wall = 0.0;
   for (const auto& entry : ledger.entries) wall += entry.wall_seconds;
   data.provenance = {{"Program", ledger.start.program},

@@ -85,8 +85,12 @@ Ledger existing_ledger(const Command& command, const Case& mill, const RunFolder
 std::string spoken_outcome(const ReportData& data) {
   if (data.history.empty()) return "no cycle is finished yet";
   const auto& last = data.history.back();
-  return fmt::format("{} {:.0f} h: lifter {:.1f} mm high, plate {:.1f} mm thick, {} cycles",
-                     data.life.reached ? "worn out at" : "worn for", last.operating_hours,
+  const std::string band = std::isfinite(data.life.hours_low)
+                               ? fmt::format(" (95 % band {:.0f} to {:.0f} h)", data.life.hours_low,
+                                             data.life.hours_high)
+                               : "";
+  return fmt::format("{} {:.0f} h{}: lifter {:.1f} mm high, plate {:.1f} mm thick, {} cycles",
+                     data.life.reached ? "worn out at" : "worn for", last.operating_hours, band,
                      1e3 * last.lifter_height, 1e3 * last.plate_thickness,
                      data.conservation.size());
 }

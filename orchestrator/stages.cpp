@@ -7,6 +7,7 @@
 
 #include "mill/failure.h"
 #include "mill/published_file.h"
+#include "wear/wear_law.h"
 
 namespace millwear::orchestrator {
 namespace {
@@ -88,6 +89,12 @@ double milling_time_before(const Campaign& campaign, int cycle) {
       time += step.duration;
   }
   return time;
+}
+
+wear::TimedLoad timed_load(const Campaign& campaign, int cycle, const wear::LoadRate& rate) {
+  return {milling_time_before(campaign, cycle), dem_liner_of_cycle(campaign, cycle),
+          rate.smoothed.rate,
+          wear::depth_rate_by_block(wear::weights_of(campaign.mill), rate.load)};
 }
 
 double share_of_life(const Case& mill, const LinerProfile& liner) {

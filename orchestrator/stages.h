@@ -5,6 +5,8 @@
 #include "orchestrator/measured.h"
 #include "orchestrator/progress.h"
 #include "orchestrator/run_folder.h"
+#include "wear/load_rate.h"
+#include "wear/timed_load.h"
 
 namespace millwear::orchestrator {
 
@@ -31,6 +33,10 @@ struct Campaign {
 
 /// Time that the mill has milled when a cycle's load is measured, since its liner was new [s].
 [[nodiscard]] double milling_time_before(const Campaign& campaign, int cycle);
+
+/// The load of a cycle on the liner and at the time that it was measured.
+[[nodiscard]] wear::TimedLoad timed_load(const Campaign& campaign, int cycle,
+                                         const wear::LoadRate& rate);
 
 /// Share of the way from the new lifter to its limit, 0 ... 1, that a liner has gone.
 [[nodiscard]] double share_of_life(const Case& mill, const LinerProfile& liner);

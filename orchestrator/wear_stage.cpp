@@ -49,8 +49,7 @@ LoadsOfCycle loads_of_cycle(const Campaign& campaign, int cycle) {
     const wear::LoadRate rate = wear::rate_of_load(
         campaign.mill,
         wear::read_load(campaign.folder.stage({i, StageKind::dem}) / stage_files::load));
-    timed.push_back({milling_time_before(campaign, i), dem_liner_of_cycle(campaign, i),
-                     rate.smoothed.rate, rate.smoothed.block_modes.rowwise().norm()});
+    timed.push_back(timed_load(campaign, i, rate));
     if (i == cycle) return {std::move(timed), rate};
   }
 }

@@ -52,9 +52,13 @@ std::vector<std::vector<LinerBand>> bands_of(std::span<const WornCycle> cycles, 
   std::vector<TimedLoad> loads;
   for (std::size_t i = 0; i < cycles.size(); ++i) {
     const WornCycle& cycle = cycles[i];
+    if (i > 0 && cycle.rotation != cycles[i - 1].rotation) {
+      liners = mirrored(liners);
+      loads.clear();
+    }
     loads.push_back(cycle.load);
     const UncertainLoad load{LoadInTime(in_use(loads, scheme)), cycle.deviations,
-                             i > 0 ? cycles[i - 1].deviations : Eigen::MatrixXd(),
+                             loads.size() > 1 ? cycles[i - 1].deviations : Eigen::MatrixXd(),
                              growth_in(cycles, i)};
     double time = cycle.load.time;
     bands.emplace_back();

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "mill/case.h"
+#include "mill/rotation.h"
 #include "wear/life_band.h"
 #include "wear/liner_replicates.h"
 #include "wear/load_in_time.h"
@@ -16,14 +17,17 @@ struct WornStep {
   LinerProfile profile;  ///< at its end
 };
 
-/// A cycle of a campaign: its load, what is not known of it, and the steps that were taken on it.
+/// A cycle of a campaign: its load, what is not known of it, and the steps that were taken on it,
+/// all on the liner as the DEM turns it.
 struct WornCycle {
   TimedLoad load;
   Eigen::MatrixXd deviations;  ///< bins x replicates [m/s], of `rate_replicates`
   std::vector<WornStep> steps;
+  Rotation rotation = Rotation::as_new;
 };
 
-/// What is not known of the liner after a step. Standard errors are over the replicates.
+/// What is not known of the liner after a step, on the liner as the DEM turns it. Standard errors
+/// are over the replicates.
 struct LinerBand {
   ReplicatesInTime replicates;
   double height_error;          ///< [m]

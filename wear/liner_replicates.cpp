@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "wear/load_rate.h"
+
 namespace millwear::wear {
 namespace {
 
@@ -57,14 +59,11 @@ RadiusChange radius_change(const LinerReplicates& liners, const std::vector<Surf
   return {least - least_before, greatest - greatest_before};
 }
 
-double section_rate(const TimedLoad& load) {
-  return load.rate.values.sum() * load.rate.bin_width();
-}
-
-/// Relative variance of a load's section rate, errors of neighbouring bins taken as one.
+/// Square of the relative standard error of a load's section rate.
 double relative_variance(const TimedLoad& load) {
-  if (load.error.size() == 0) return 0.0;
-  const double relative = load.error.sum() * load.rate.bin_width() / section_rate(load);
+  if (load.by_block.cols() < 2) return 0.0;
+  const Eigen::MatrixXd totals = load.by_block.colwise().sum();
+  const double relative = error_of_mean(totals)[0] / totals.mean();
   return relative * relative;
 }
 
@@ -85,6 +84,10 @@ LinerReplicates worn(const LinerReplicates& before, const UncertainLoad& load, d
   change = change.cwiseMax((-rate).replicate(1, change.cols()));
   const LoadCarrier along_surface(before.profile, bins);
   return {after, along_surface.onto_bins(after, bins) * (before.deeper + duration * change)};
+}
+
+LinerReplicates mirrored(const LinerReplicates& liners) {
+  return {millwear::mirrored(liners.profile), liners.deeper.colwise().reverse()};
 }
 
 double growth_between(const TimedLoad& before, const TimedLoad& after) {

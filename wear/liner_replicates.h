@@ -36,6 +36,9 @@ struct UncertainLoad {
 [[nodiscard]] LinerReplicates worn(const LinerReplicates& before, const UncertainLoad& load,
                                    double start, double duration, const LinerProfile& after);
 
+/// The same liners for the other sense of rotation, see `mirrored` of a profile.
+[[nodiscard]] LinerReplicates mirrored(const LinerReplicates& liners);
+
 /// Growth of the rate between two loads, d ln(rate) / d(worn section) [1/m2], with the share of the
 /// change that its noise explains left out (as in `LoadInTime`). Zero where no steel went between.
 [[nodiscard]] double growth_between(const TimedLoad& before, const TimedLoad& after);

@@ -12,11 +12,6 @@ const TimedLoad& newest_of(std::span<const TimedLoad> loads) {
   return loads.back();
 }
 
-Eigen::VectorXd variance_of(const TimedLoad& load) {
-  if (load.error.size() == 0) return Eigen::VectorXd::Zero(load.rate.values.size());
-  return load.error.cwiseAbs2();
-}
-
 }  // namespace
 
 std::span<const TimedLoad> in_use(std::span<const TimedLoad> loads, Scheme scheme) {
@@ -32,10 +27,10 @@ LoadInTime::LoadInTime(std::span<const TimedLoad> loads)
   }
   previous_onto_newest_ = LoadCarrier(previous_->profile, previous_->rate.values.size())
                               .onto_bins(newest_.profile, newest_.rate.values.size());
-  const Eigen::VectorXd before = previous_onto_newest_ * previous_->rate.values;
-  const double difference = (newest_.rate.values - before).squaredNorm();
-  const double noise =
-      (variance_of(newest_) + previous_onto_newest_ * variance_of(*previous_)).sum();
+  const ZonedLoad after = zoned(newest_, newest_.profile);
+  const ZonedLoad before = zoned(*previous_, newest_.profile);
+  const double difference = (after.rate - before.rate).squaredNorm();
+  const double noise = (after.variance + before.variance).sum();
   believed_ = difference > 0.0 ? std::max(0.0, 1.0 - noise / difference) : 0.0;
 }
 
@@ -56,16 +51,13 @@ Eigen::VectorXd LoadInTime::rate(double time) const {
   return sum(time, newest_.rate.values, previous_->rate.values).cwiseMax(0.0);
 }
 
-LoadInTime::Prediction LoadInTime::predicted(const LinerProfile& worn, double time) const {
+ZonedLoad LoadInTime::predicted(const LinerProfile& worn, double time) const {
   const double share = share_of_previous(time);
-  Eigen::VectorXd variance = (1.0 - share) * (1.0 - share) * variance_of(newest_);
-  Eigen::VectorXd rate = newest_.rate.values;
-  if (previous_) {
-    rate = sum(time, rate, previous_->rate.values);
-    variance += share * share * (previous_onto_newest_ * variance_of(*previous_));
-  }
-  const auto rows = carrier_.onto_bins(worn, rate.size());
-  return {rows * rate, rows * variance};
+  ZonedLoad load = zoned(newest_, worn);
+  if (share == 0.0) return load;
+  const ZonedLoad before = zoned(*previous_, worn);
+  return {(1.0 - share) * load.rate + share * before.rate,
+          (1.0 - share) * (1.0 - share) * load.variance + share * share * before.variance};
 }
 
 }  // namespace millwear::wear

@@ -7,16 +7,9 @@
 #include "mill/liner_profile.h"
 #include "wear/arc_curve.h"
 #include "wear/load_carrier.h"
+#include "wear/timed_load.h"
 
 namespace millwear::wear {
-
-/// A measured load: the rate at which it wears the liner that it was measured on.
-struct TimedLoad {
-  double time;              ///< of milling since the liner was new, when it was measured [s]
-  LinerProfile profile;     ///< the liner
-  ArcCurve rate;            ///< depth rate along it [m/s]
-  Eigen::VectorXd error{};  ///< standard error of `rate` by bin [m/s]; empty where it is exact
-};
 
 /// Those of the loads since the liner was new (or since the mill's rotation was reversed) that a
 /// scheme looks at: the newest, or all.
@@ -27,8 +20,9 @@ struct TimedLoad {
 /// with the rates of both loads carried along with the surface (`LoadCarrier`). With one load
 /// g = 0. Two measured loads differ by their noise already, so the change is believed only in the
 /// share that noise does not explain, f = max(0, 1 - s2 / d2), d2 the squares of the difference
-/// summed over the profile and s2 the squares of its standard errors (James and Stein 1961, Proc.
-/// 4th Berkeley Symp. 1, 361): exact loads are extrapolated wholly, noise is not.
+/// between the loads summed over zones of the liner (`zoned`) and s2 the squares of its standard
+/// errors (James and Stein 1961, Proc. 4th Berkeley Symp. 1, 361): exact loads are extrapolated
+/// wholly, noise is not.
 class LoadInTime {
  public:
   /// The newest load last; only the last two count. Throws InputError for none, or times that do
@@ -49,12 +43,8 @@ class LoadInTime {
   [[nodiscard]] Eigen::MatrixXd sum(double time, const Eigen::MatrixXd& newest,
                                     const Eigen::MatrixXd& previous) const;
 
-  /// Rate and its variance on a liner that was worn under this load, at its bins, not cut.
-  struct Prediction {
-    Eigen::VectorXd rate;      ///< [m/s]
-    Eigen::VectorXd variance;  ///< [m2/s2]
-  };
-  [[nodiscard]] Prediction predicted(const LinerProfile& worn, double time) const;
+  /// The load by zones of a liner that was worn under it, not cut.
+  [[nodiscard]] ZonedLoad predicted(const LinerProfile& worn, double time) const;
 
  private:
   /// Factor of the previous load at a time; that of the newest is 1 minus this.

@@ -9,12 +9,9 @@ namespace millwear::wear {
 namespace {
 
 constexpr double safety = 0.9;
+constexpr double clearly = 2.0;
 constexpr double most_growth = 2.0;
 constexpr double most_shrinkage = 0.5;
-
-double section_rate(const TimedLoad& load) {
-  return load.rate.values.sum() * load.rate.bin_width();
-}
 
 }  // namespace
 
@@ -22,12 +19,14 @@ StepError step_error(std::span<const TimedLoad> loads, double new_lifter_area) {
   if (loads.size() < 2) throw InputError("the error of a step takes a load before and after it");
   const TimedLoad& after = loads.back();
   const auto before = loads.first(loads.size() - 1);
-  const auto predicted = LoadInTime(before).predicted(after.profile, after.time);
-  const double difference = (after.rate.values - predicted.rate).squaredNorm();
-  const double noise = predicted.variance.sum() + after.error.squaredNorm();
+  const ZonedLoad predicted = LoadInTime(before).predicted(after.profile, after.time);
+  const ZonedLoad found = zoned(after, after.profile);
+  const double difference = (found.rate - predicted.rate).squaredNorm();
+  const double noise = (found.variance + predicted.variance).sum();
   const double worn_share =
       section_rate(after) * (after.time - before.back().time) / new_lifter_area;
-  const double misplaced = std::sqrt(std::max(0.0, difference - noise)) / after.rate.values.norm();
+  const double misplaced =
+      std::sqrt(std::max(0.0, difference - clearly * noise)) / found.rate.norm();
   return {worn_share, 0.5 * worn_share * misplaced};
 }
 

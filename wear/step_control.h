@@ -14,8 +14,10 @@ struct StepError {
 
 /// The error of the step between the last two of `loads`, taken from the newest: with d the
 /// difference between its rate and the one that was extrapolated (`LoadInTime`) from those before,
-///     misplaced = worn_share sqrt(max(0, |d|^2 - s2)) / (2 |v|),
-/// |.| over the bins, s2 the squares of d's standard errors. Throws InputError for fewer than two.
+///     misplaced = worn_share sqrt(max(0, |d|^2 - 2 s2)) / (2 |v|),
+/// |.| over the zones of the liner (`zoned`), s2 the squares of d's standard errors: with four or
+/// five zones that bear the load, noise alone passes 2 s2 in one step of ten. Throws InputError for
+/// fewer than two loads.
 [[nodiscard]] StepError step_error(std::span<const TimedLoad> loads, double new_lifter_area);
 
 /// How long the newest of `loads` is to stand before the load is measured anew [s], scheme

@@ -15,6 +15,7 @@ namespace {
 
 constexpr double mm_per_m = 1e3;
 constexpr double kw_per_w = 1e-3;
+constexpr double within_errors = 1.96;  ///< 95 %
 
 std::string terminal(int width, int height) {
   return fmt::format(
@@ -37,7 +38,8 @@ std::string profile_blocks(const std::vector<ProfileRow>& profiles) {
 std::string height_block(const std::vector<HistoryRow>& history) {
   std::string text = "$height << EOD\n";
   for (const auto& row : history)
-    text += fmt::format("{} {}\n", row.operating_hours, row.lifter_height * mm_per_m);
+    text += fmt::format("{} {} {}\n", row.operating_hours, row.lifter_height * mm_per_m,
+                        within_errors * row.lifter_height_error * mm_per_m);
   return text + "EOD\n";
 }
 
@@ -82,7 +84,8 @@ std::string history_commands(const ReportData& data) {
   if (has_power) text += "set multiplot layout 2,1\n";
   text +=
       "set ylabel 'lifter height [mm]'\nset yrange [0:*]\n"
-      "plot $height using 1:2 with linespoints lw 2 pt 7 ps 0.6 lc '#16365c' notitle\n";
+      "plot $height using 1:($2-$3):($2+$3) with filledcurves fc '#aebfd0' title '95 % band',"
+      " $height using 1:2 with linespoints lw 2 pt 7 ps 0.6 lc '#16365c' notitle\n";
   if (has_power)
     text +=
         "set ylabel 'power of the slice [kW]'\nset yrange [*:*]\n"

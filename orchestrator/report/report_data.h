@@ -31,6 +31,7 @@ struct LoadLine {
   std::vector<double> raw;             ///< as accumulated
   std::vector<double> standard_error;  ///< of `raw`, from the time blocks
   std::vector<double> smoothed;
+  std::vector<double> smoothed_error;  ///< standard error of `smoothed`
 };
 
 /// The load of one cycle on the master lifter.

@@ -46,7 +46,10 @@ Json json_of(const HistoryRow& row) {
           {"shoulder", row.shoulder},
           {"shoulder_error", row.shoulder_error},
           {"toe", row.toe},
-          {"toe_error", row.toe_error}};
+          {"toe_error", row.toe_error},
+          {"lifter_height_error", row.lifter_height_error},
+          {"plate_thickness_error", row.plate_thickness_error},
+          {"worn_volume_error", row.worn_volume_error}};
 }
 
 Json json_of(const MeasuredCharge& charge) {
@@ -60,11 +63,15 @@ Json json_of(const ProfileRow& row) {
   return {{"cycle", row.cycle},
           {"step", row.step},
           {"operating_hours", row.operating_hours},
-          {"nodes", json_of(row.nodes)}};
+          {"nodes", json_of(row.nodes)},
+          {"depth_error", row.depth_error}};
 }
 
 Json json_of(const LoadLine& line) {
-  return {{"raw", line.raw}, {"standard_error", line.standard_error}, {"smoothed", line.smoothed}};
+  return {{"raw", line.raw},
+          {"standard_error", line.standard_error},
+          {"smoothed", line.smoothed},
+          {"smoothed_error", line.smoothed_error}};
 }
 
 Json json_of(const LoadAlongProfile& load) {

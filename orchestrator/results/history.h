@@ -23,6 +23,9 @@ struct HistoryRow {
   double power_error;      ///< standard errors, in the units of their values
   double shoulder_error;
   double toe_error;
+  double lifter_height_error;  ///< from the scatter of the loads up to here, see docs/physics.md
+  double plate_thickness_error;
+  double worn_volume_error;
 };
 
 /// The bytes of `history.csv`; the same rows always give the same bytes.

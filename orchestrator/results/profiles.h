@@ -12,6 +12,8 @@ struct ProfileRow {
   int step;
   double operating_hours;              ///< since the liner was new [h]
   std::vector<Eigen::Vector2d> nodes;  ///< (xi, eta) [m]
+  /// Standard error of the surface at every node, along its normal [m]; NaN where unknown.
+  std::vector<double> depth_error;
 };
 
 /// The bytes of `profiles.csv`, a line a node; the same rows always give the same bytes.

@@ -26,7 +26,8 @@ function drawHeight(container) {
   const rules = known(data.height_limit)
     ? [{y: inMillimetres(data.height_limit), text: `limit ${Number(inMillimetres(data.height_limit).toPrecision(3))} mm`}] : [];
   const series = [{name: "predicted", colour: steelColour, marks: true, points: data.history.map((row) =>
-    ({x: row.operating_hours, y: inMillimetres(row.lifter_height)}))}].concat(straightLine());
+    ({x: row.operating_hours, y: inMillimetres(row.lifter_height), error: inMillimetres(row.lifter_height_error)}))}]
+    .concat(straightLine());
   if (data.measured.length)
     series.push({name: "measured", colour: "#a8431c", style: "dots", points: data.measured.map((m) =>
       ({x: m.operating_hours, y: inMillimetres(m.height), error: known(m.error) ? inMillimetres(m.error) : null}))});

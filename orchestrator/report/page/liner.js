@@ -82,19 +82,27 @@ function drawBins(container, caption) {
   });
 }
 
-/** The new liner and the last one; the steel that is gone is filled. */
+/** The surface moved along its normal by so many standard errors of its depth. */
+function movedByErrors(profile, errors) {
+  const normals = normalsOf(profile.nodes);
+  return profile.nodes.map((p, i) => [0, 1].map((k) => p[k] + errors * (profile.depth_error[i] || 0) * normals[i][k]));
+}
+
+/** The new liner and the last one with its 95 % band; the steel that is gone is filled. */
 function drawOriginalAndWorn(container, caption) {
   if (data.profiles.length < 2) { nothing(container, "The liner has not been worn yet."); return; }
   const fresh = data.profiles[0];
   const worn = data.profiles[data.profiles.length - 1];
   const row = historyOf(worn.cycle, worn.step) || {};
-  caption.textContent = `New, and after ${hoursText(worn.operating_hours)}; the filled steel is gone` +
+  caption.textContent = `New, and after ${hoursText(worn.operating_hours)}; the filled steel is gone, the shade on the worn profile is its 95 % band` +
     (known(row.worn_volume) ? ` (${significant(3)(1e4 * row.worn_volume)} cm² of section).` : ".");
   responsive(container, (place, width) => {
     const drawing = sectorDrawing(place, width, "Original and worn profile", crestOf(fresh.nodes), 34);
     const {svg, path} = drawing;
     svg.append("path").attr({class: "lost", d: path(fresh.nodes.concat(worn.nodes.slice().reverse())) + "Z"});
     svg.append("path").attr({class: "steel", d: drawing.closed(worn.nodes)});
+    const band = [1.96, -1.96].map((errors) => movedByErrors(worn, errors));
+    svg.append("path").attr({class: "band", d: path(band[0].concat(band[1].reverse())) + "Z"});
     for (const profile of [fresh, worn])
       svg.append("path").attr({class: "profile end", d: path(profile.nodes)})
         .style("stroke", ageColour(profile.operating_hours));

@@ -44,7 +44,8 @@ function shownLoad(load, measure) {
   const scale = loadView.normalised ? {factor: whole, unit: "share of the highest bin"}
     : measure.unit[0] === "W" ? prefixed(both, measure.unit) : {factor: 1, unit: measure.unit};
   const shown = (values) => values.map((value) => known(value) ? value * per / scale.factor : null);
-  return {raw: shown(line.raw), smoothed: shown(line.smoothed), error: shown(line.standard_error), unit: scale.unit};
+  return {raw: shown(line.raw), smoothed: shown(line.smoothed), error: shown(line.standard_error),
+    smoothedError: shown(line.smoothed_error), unit: scale.unit};
 }
 
 function drawMeasure(load, measure) {
@@ -58,12 +59,12 @@ function drawMeasure(load, measure) {
   if (shown.raw.length)
     series.push({name: "accumulated in the bins", colour: "#7b98ad", style: "thin", points: points(shown.raw, shown.error)});
   if (shown.smoothed.length)
-    series.push({name: "smoothed", colour: "#a8431c", points: points(shown.smoothed, [])});
+    series.push({name: "smoothed", colour: "#a8431c", points: points(shown.smoothed, shown.smoothedError)});
   const end = load.arc_length.length - 1;
   lineChart(fresh, {name: measure.name, x: "arc length along the profile [mm]", value: shown.unit, zero: true,
     series, strip: outlineStrip(load), height: 250,
     span: [0, inMillimetres(load.arc_length[end] + load.width[end] / 2)],
-    place: (s) => fixed(0)(s) + " mm along the profile", text: (p) => significant(3)(p.y),
+    place: (s) => fixed(0)(s) + " mm along the profile", text: (p) => significant(3)(p.y) + (known(p.error) ? " ± " + significant(2)(p.error) : ""),
     onPlace: (s) => loadView.place(s / 1e3), onLeave: () => loadView.leave()});
 }
 

@@ -24,9 +24,9 @@ HistoryRow row(double hours, double height) {
 }
 
 const std::vector<HistoryRow> history = {row(0, 0.05), row(100, 0.04), row(200, 0.02)};
-const std::vector<ProfileRow> profiles = {{0, 0, 0.0, lifter(0.05).nodes},
-                                          {0, 1, 100.0, lifter(0.04).nodes},
-                                          {0, 2, 200.0, lifter(0.02).nodes}};
+const std::vector<ProfileRow> profiles = {{0, 0, 0.0, lifter(0.05).nodes, {}},
+                                          {0, 1, 100.0, lifter(0.04).nodes, {}},
+                                          {0, 2, 200.0, lifter(0.02).nodes, {}}};
 
 GaugeReading reading(double hours, double height) {
   return {hours, height, {}, lifter(height), 1e-3};

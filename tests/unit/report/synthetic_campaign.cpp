@@ -52,7 +52,7 @@ Points even_points(double age, int count) {
 }
 
 LoadLine noisy(const std::vector<double>& smooth, double noise, std::mt19937& random) {
-  LoadLine line{{}, {}, smooth};
+  LoadLine line{{}, {}, smooth, {}};
   std::gamma_distribution<double> scatter(1.0 / (noise * noise), noise * noise);
   for (const double value : smooth) {
     line.raw.push_back(value * scatter(random));
@@ -115,7 +115,10 @@ HistoryRow history_at(double age, double charge_age, int cycle, int step, double
           .toe = 3.9 - 0.05 * charge_age,
           .power_error = 1.4e3,
           .shoulder_error = 0.02,
-          .toe_error = 0.015};
+          .toe_error = 0.015,
+          .lifter_height_error = 0.002 * age,
+          .plate_thickness_error = 0.0006 * age,
+          .worn_volume_error = 0.0004 * age};
 }
 
 double area_under(const Points& points) {
@@ -219,7 +222,8 @@ ReportData synthetic_campaign(int cycles, int steps) {
       const auto points = even_points(age, 241);
       data.history.push_back(
           history_at(age, start, cycle, step, fresh - area_under(points), 0.048));
-      data.profiles.push_back({cycle, step, age * life_hours, points});
+      data.profiles.push_back(
+          {cycle, step, age * life_hours, points, std::vector<double>(points.size(), 0.002 * age)});
     }
     data.power.push_back(power_at(data.history.back(), random));
     data.conservation.push_back({cycle, 0.0041, 0.0041 * (1.0 + 2e-8), 0.031, 4e-5});

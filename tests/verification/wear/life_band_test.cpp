@@ -24,7 +24,12 @@ double true_rate(const LinerProfile& liner, double growth) {
 }
 
 /// What a measurement shows of an even rate: time blocks that scatter as a whole, and by place.
-SmoothedLoss measured(const LinerProfile& liner, double rate, std::mt19937_64& random) {
+struct Measurement {
+  Eigen::MatrixXd by_block;
+  SmoothedLoss loss;
+};
+
+Measurement measured(const LinerProfile& liner, double rate, std::mt19937_64& random) {
   std::normal_distribution<double> normal;
   Eigen::MatrixXd by_block(bins, blocks);
   for (Eigen::Index block = 0; block < blocks; ++block) {
@@ -32,8 +37,8 @@ SmoothedLoss measured(const LinerProfile& liner, double rate, std::mt19937_64& r
     for (Eigen::Index bin = 0; bin < bins; ++bin)
       by_block(bin, block) = rate * std::max(0.0, 1.0 + whole + 0.2 * normal(random));
   }
-  return smoothed(Eigen::VectorXd::LinSpaced(bins + 1, 0.0, arc_lengths(liner).back()),
-                  by_block.rowwise().mean(), by_block);
+  return {by_block, smoothed(Eigen::VectorXd::LinSpaced(bins + 1, 0.0, arc_lengths(liner).back()),
+                             by_block.rowwise().mean(), by_block)};
 }
 
 struct Campaign {
@@ -49,8 +54,8 @@ Campaign campaign(const CampaignSettings& settings, double growth, std::uint64_t
   LinerProfile liner = bare_ring(1.0, 12);
   double time = 0.0;
   for (auto end = EvolutionEnd::load_spent; end == EvolutionEnd::load_spent;) {
-    const SmoothedLoss loss = measured(liner, true_rate(liner, growth), random);
-    loads.push_back({time, liner, loss.rate, loss.block_modes.rowwise().norm()});
+    const auto [by_block, loss] = measured(liner, true_rate(liner, growth), random);
+    loads.push_back({time, liner, loss.rate, by_block});
     const auto evolution =
         evolve(loads, depth_to_limit * arc_lengths(bare_ring()).back(), settings);
     cycles.push_back({loads.back(), rate_replicates(loss, 200, seed * 1000 + cycles.size()), {}});

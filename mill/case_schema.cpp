@@ -200,10 +200,10 @@ constexpr KeySpec keys[] = {
      "last step"},
     {"campaign", "threshold", real, defaulted, "0.15", above_up_to(0.0, 1.0), "",
      "worn share of the new lifter's volume per DEM load (with `threshold`) [-]"},
-    {"campaign", "step_tolerance", real, defaulted, "0.01", above_up_to(0.0, 0.5), "",
+    {"campaign", "step_tolerance", real, defaulted, "0.005", above_up_to(0.0, 0.5), "",
      "share of the new lifter's volume that one DEM load may wear at the wrong place (with "
      "`adaptive`) [-]"},
-    {"campaign", "largest_share", real, defaulted, "0.5", above_up_to(0.0, 10.0), "",
+    {"campaign", "largest_share", real, defaulted, "0.25", above_up_to(0.0, 10.0), "",
      "share of the new lifter's volume that one DEM load may wear at all (with `adaptive`) [-]"},
     {"campaign", "steps_per_cycle", integer, defaulted, "5", between(1, 1000), "",
      "geometry steps on one DEM load"},

@@ -136,7 +136,14 @@ wear::WornCycle add_cycle(const Campaign& campaign, int cycle, ReportData& data)
     data.profiles.push_back(
         {0, 0, 0.0, mill.liner.nodes, std::vector<double>(mill.liner.nodes.size(), 0.0)});
   }
-  Conservation balance{cycle, 0.0, 0.0, kept.smoothing_moved_share, measured.rejected_share};
+  Conservation balance{cycle,
+                       0.0,
+                       0.0,
+                       kept.smoothing_moved_share,
+                       measured.rejected_share,
+                       measured.revolutions,
+                       measured.peak_error,
+                       std::string(name_of(end_of(measured)))};
   const Rotation rotation = rotation_of_cycle(campaign, cycle);
   double hours = data.history.back().operating_hours;
   for (std::size_t i = 0; i < kept.steps.size(); ++i) {

@@ -81,6 +81,9 @@ struct Conservation {
   double accounted;           ///< sum over bins of the wear law, and what fell off [m3/m]
   double moved_by_smoothing;  ///< share of it that smoothing carried to another place [-]
   double rejected;            ///< share of the contacts that no bin took [-]
+  double revolutions;         ///< over which the load was measured
+  double peak_error;  ///< relative standard error of the smoothed rate at its peaks; NaN unknown
+  std::string end;    ///< why the measurement ended: as `name_of(MeasurementEnd)`
 };
 
 /// A lifter height that a gauge read, to hold the prediction against.

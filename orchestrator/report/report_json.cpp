@@ -123,7 +123,10 @@ Json json_of(const Conservation& balance) {
           {"removed", balance.removed},
           {"accounted", balance.accounted},
           {"moved_by_smoothing", balance.moved_by_smoothing},
-          {"rejected", balance.rejected}};
+          {"rejected", balance.rejected},
+          {"revolutions", balance.revolutions},
+          {"peak_error", balance.peak_error},
+          {"end", balance.end}};
 }
 
 Json json_of(const MeasuredHeight& measured) {

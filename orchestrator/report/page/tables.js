@@ -24,8 +24,10 @@ function fillHistory() {
     {head: "Operating time", unit: "h", text: (row) => fixed(0)(row.operating_hours)},
     {head: "Milled", unit: "t", text: (row) => fixed(0)(row.tonnes)},
     {head: "Lifter height", unit: "mm", text: (row) => fixed(1)(inMillimetres(row.lifter_height))},
+    {head: "±", unit: "mm", se: true, text: (row) => significant(2)(inMillimetres(row.lifter_height_error))},
     {head: "Leading face", unit: "°", text: (row) => fixed(1)(inDegrees(row.face_angle))},
     {head: "Thinnest plate", unit: "mm", text: (row) => fixed(1)(inMillimetres(row.plate_thickness))},
+    {head: "±", unit: "mm", se: true, text: (row) => significant(2)(inMillimetres(row.plate_thickness_error))},
     {head: "Worn section", unit: "cm²", text: (row) => fixed(1)(known(row.worn_volume) ? 1e4 * row.worn_volume : null)},
     {head: "Worn share", unit: "%", text: (row) => fixed(1)(inPercent(row.worn_fraction))},
     {head: "Power", unit: scale.unit, text: (row) => fixed(2)(per(row.power))},
@@ -47,6 +49,9 @@ function fillConservation() {
     {head: "Difference", unit: "share", text: (row) => significant(2)(off(row))},
     {head: "Carried by smoothing", unit: "%", text: (row) => fixed(2)(inPercent(row.moved_by_smoothing))},
     {head: "Contacts in no bin", unit: "%", text: (row) => fixed(3)(inPercent(row.rejected))},
+    {head: "Measured for", unit: "revolutions", text: (row) => significant(3)(row.revolutions)},
+    {head: "Rate at its peaks", unit: "± %", text: (row) => significant(2)(inPercent(row.peak_error))},
+    {head: "Measurement ended", text: (row) => row.end},
   ], () => false);
 }
 

@@ -226,7 +226,8 @@ ReportData synthetic_campaign(int cycles, int steps) {
           {cycle, step, age * life_hours, points, std::vector<double>(points.size(), 0.002 * age)});
     }
     data.power.push_back(power_at(data.history.back(), random));
-    data.conservation.push_back({cycle, 0.0041, 0.0041 * (1.0 + 2e-8), 0.031, 4e-5});
+    data.conservation.push_back(
+        {cycle, 0.0041, 0.0041 * (1.0 + 2e-8), 0.031, 4e-5, 2.0, 0.06, "target reached"});
   }
   return data;
 }

@@ -16,18 +16,27 @@ double quantile(const Eigen::VectorXd& sorted, double share) {
   return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
 }
 
-/// When a falling quantity that is known at some times comes to zero.
-double time_of_zero(const std::vector<double>& times, const std::vector<double>& left,
-                    double last_load) {
-  for (std::size_t i = 1; i < times.size(); ++i) {
-    if (left[i] > 0.0) continue;
-    const double share = left[i - 1] > 0.0 ? left[i - 1] / (left[i - 1] - left[i]) : 0.0;
-    return times[i - 1] + share * (times[i] - times[i - 1]);
-  }
+/// What is left above a limit at every time (rows), of every replicate (columns).
+Eigen::VectorXd times_of_zero(const std::vector<double>& times, const Eigen::MatrixXd& left,
+                              double last_load) {
   const auto since = std::upper_bound(times.begin() + 1, times.end() - 1, last_load) - 1;
-  const auto first = static_cast<std::size_t>(since - times.begin());
-  const double speed = (left[first] - left.back()) / (times.back() - times[first]);
-  return speed > 0.0 ? times.back() + left.back() / speed : unknown;
+  const Eigen::Index end = left.rows() - 1;
+  const double speed =
+      (left.row(since - times.begin()).mean() - left.row(end).mean()) / (times.back() - *since);
+  Eigen::VectorXd zero(left.cols());
+  for (Eigen::Index r = 0; r < left.cols(); ++r) {
+    Eigen::Index i = 1;
+    while (i <= end && left(i, r) > 0.0) ++i;
+    if (i > end) {
+      zero[r] = speed > 0.0 ? times.back() + left(end, r) / speed : unknown;
+      continue;
+    }
+    const double before = left(i - 1, r);
+    const double share = before > 0.0 ? before / (before - left(i, r)) : 0.0;
+    const auto k = static_cast<std::size_t>(i);
+    zero[r] = times[k - 1] + share * (times[k] - times[k - 1]);
+  }
+  return zero;
 }
 
 }  // namespace
@@ -43,18 +52,17 @@ Eigen::VectorXd lives(const std::vector<ReplicatesInTime>& course, double height
   if (course.size() < 2) return {};
   std::vector<double> times;
   for (const auto& moment : course) times.push_back(moment.time);
-  Eigen::VectorXd life(course.front().heights.size());
-  for (Eigen::Index r = 0; r < life.size(); ++r) {
-    std::vector<double> height;
-    std::vector<double> plate;
-    for (const auto& moment : course) {
-      height.push_back(moment.heights[r] - height_limit);
-      plate.push_back(moment.plates[r] - plate_limit);
-    }
-    life[r] =
-        std::fmin(time_of_zero(times, height, last_load), time_of_zero(times, plate, last_load));
+  const auto moments = static_cast<Eigen::Index>(course.size());
+  Eigen::MatrixXd height(moments, course.front().heights.size());
+  Eigen::MatrixXd plate(moments, course.front().plates.size());
+  for (Eigen::Index i = 0; i < moments; ++i) {
+    const auto& moment = course[static_cast<std::size_t>(i)];
+    height.row(i) = moment.heights.array() - height_limit;
+    plate.row(i) = moment.plates.array() - plate_limit;
   }
-  return life;
+  const Eigen::VectorXd by_height = times_of_zero(times, height, last_load);
+  const Eigen::VectorXd by_plate = times_of_zero(times, plate, last_load);
+  return by_height.binaryExpr(by_plate, [](double a, double b) { return std::fmin(a, b); });
 }
 
 }  // namespace millwear::wear

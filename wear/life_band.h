@@ -22,7 +22,8 @@ struct ReplicatesInTime {
 
 /// When each replicate is worn out [s]: the first time that its height or its plate is at its limit
 /// [m], linear between the times of `course`. One that is not there by the end goes on as fast as
-/// it wore since `last_load` [s]. NaN for one that does not wear. `course` is in the order of time.
+/// all of them did in the mean since `last_load` [s]: its own noise of that time says nothing of a
+/// load that is yet to come. NaN where they do not wear. `course` is in the order of time.
 [[nodiscard]] Eigen::VectorXd lives(const std::vector<ReplicatesInTime>& course,
                                     double height_limit, double plate_limit, double last_load);
 

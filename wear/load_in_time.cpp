@@ -7,6 +7,8 @@
 namespace millwear::wear {
 namespace {
 
+constexpr double clearly = 2.0;
+
 const TimedLoad& newest_of(std::span<const TimedLoad> loads) {
   if (loads.empty()) throw InputError("a liner wears under a load; there is none");
   return loads.back();
@@ -31,7 +33,7 @@ LoadInTime::LoadInTime(std::span<const TimedLoad> loads)
   const ZonedLoad before = zoned(*previous_, newest_.profile);
   const double difference = (after.rate - before.rate).squaredNorm();
   const double noise = (after.variance + before.variance).sum();
-  believed_ = difference > 0.0 ? std::max(0.0, 1.0 - noise / difference) : 0.0;
+  believed_ = difference > 0.0 ? std::max(0.0, 1.0 - clearly * noise / difference) : 0.0;
 }
 
 double LoadInTime::share_of_previous(double time) const {

@@ -19,10 +19,11 @@ namespace millwear::wear {
 ///     v(t) = v_n + (t - t_n) g,   g = f (v_n - v_(n-1)) / (t_n - t_(n-1)),   not below zero,
 /// with the rates of both loads carried along with the surface (`LoadCarrier`). With one load
 /// g = 0. Two measured loads differ by their noise already, so the change is believed only in the
-/// share that noise does not explain, f = max(0, 1 - s2 / d2), d2 the squares of the difference
+/// share that noise does not explain, f = max(0, 1 - 2 s2 / d2), d2 the squares of the difference
 /// between the loads summed over zones of the liner (`zoned`) and s2 the squares of its standard
-/// errors (James and Stein 1961, Proc. 4th Berkeley Symp. 1, 361): exact loads are extrapolated
-/// wholly, noise is not.
+/// errors (after James and Stein 1961, Proc. 4th Berkeley Symp. 1, 361; twice the noise, because
+/// few zones bear the load and chance passes it once easily): exact loads are extrapolated wholly,
+/// noise is not.
 class LoadInTime {
  public:
   /// The newest load last; only the last two count. Throws InputError for none, or times that do

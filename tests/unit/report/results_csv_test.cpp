@@ -46,7 +46,10 @@ HistoryRow example_row() {
           .toe = 221.5 * degree,
           .power_error = 1400.0,
           .shoulder_error = 0.7 * degree,
-          .toe_error = unknown};
+          .toe_error = unknown,
+          .lifter_height_error = 0.002,
+          .plate_thickness_error = 0.0005,
+          .worn_volume_error = unknown};
 }
 
 template <class Read>
@@ -61,11 +64,13 @@ std::string refusal(Read read) {
 
 TEST_F(ResultsCsv, HistoryIsWrittenInTheUnitsOfItsColumns) {
   EXPECT_EQ(history_csv({example_row()}),
-            "# millwear history 1\n"
+            "# millwear history 2\n"
             "cycle,step,operating_hours,tonnes,lifter_height_m,face_angle_deg,plate_thickness_m,"
             "worn_volume_m3_per_m,worn_fraction,power_w,shoulder_deg,toe_deg,"
-            "power_w_se,shoulder_deg_se,toe_deg_se\n"
-            "3,2,0.3333333333333333,,0.215,12.5,0.0995,1e-07,0.1,161250,52,221.5,1400,0.7,\n");
+            "power_w_se,shoulder_deg_se,toe_deg_se,lifter_height_m_se,plate_thickness_m_se,"
+            "worn_volume_m3_per_m_se\n"
+            "3,2,0.3333333333333333,,0.215,12.5,0.0995,1e-07,0.1,161250,52,221.5,1400,0.7,,0.002,0."
+            "0005,\n");
 }
 
 TEST_F(ResultsCsv, HistoryReadsBackAsItWas) {
@@ -88,6 +93,9 @@ TEST_F(ResultsCsv, HistoryReadsBackAsItWas) {
   EXPECT_EQ(rows[0].power_error, wanted.power_error);
   EXPECT_DOUBLE_EQ(rows[0].shoulder_error, wanted.shoulder_error);
   EXPECT_TRUE(std::isnan(rows[0].toe_error));
+  EXPECT_EQ(rows[0].lifter_height_error, wanted.lifter_height_error);
+  EXPECT_EQ(rows[0].plate_thickness_error, wanted.plate_thickness_error);
+  EXPECT_TRUE(std::isnan(rows[0].worn_volume_error));
 }
 
 TEST_F(ResultsCsv, ReadingAndWritingAgainChangesNoByte) {
@@ -105,8 +113,9 @@ TEST_F(ResultsCsv, ReadingAndWritingAgainChangesNoByte) {
 }
 
 TEST_F(ResultsCsv, ProfilesReadBackAsTheyWere) {
-  const std::vector<ProfileRow> rows = {{0, 0, 0.0, {{-0.1, 1.0 / 3.0}, {0.0, 0.2}, {0.1, 1e-9}}},
-                                        {0, 1, 120.5, {{-0.1, 0.0}, {0.1, 0.0}}}};
+  const std::vector<ProfileRow> rows = {
+      {0, 0, 0.0, {{-0.1, 1.0 / 3.0}, {0.0, 0.2}, {0.1, 1e-9}}, {0.0, 0.25, 1e-4}},
+      {0, 1, 120.5, {{-0.1, 0.0}, {0.1, 0.0}}, {0.5, 0.5}}};
   write(profiles_csv(rows));
   const auto read = read_profiles_csv(file);
   ASSERT_EQ(read.size(), 2u);
@@ -115,20 +124,21 @@ TEST_F(ResultsCsv, ProfilesReadBackAsTheyWere) {
     EXPECT_EQ(read[i].step, rows[i].step);
     EXPECT_EQ(read[i].operating_hours, rows[i].operating_hours);
     EXPECT_EQ(read[i].nodes, rows[i].nodes);
+    EXPECT_EQ(read[i].depth_error, rows[i].depth_error);
   }
 }
 
 TEST_F(ResultsCsv, AnotherVersionIsRefusedWithItsLine) {
   auto text = history_csv({example_row()});
-  text.replace(text.find(" 1\n"), 3, " 2\n");
+  text.replace(text.find(" 2\n"), 3, " 3\n");
   write(text);
   EXPECT_THAT(refusal([this] { (void)read_history_csv(file); }),
               AllOf(StartsWith(file.string() + ":1: "), HasSubstr("millwear history 2"),
-                    HasSubstr("millwear history 1")));
+                    HasSubstr("millwear history 3")));
 }
 
 TEST_F(ResultsCsv, OtherColumnsAreRefusedWithTheirLine) {
-  write("# millwear profiles 1\ncycle,step,node,xi_m,eta_m\n");
+  write("# millwear profiles 2\ncycle,step,node,xi_m,eta_m\n");
   EXPECT_THAT(refusal([this] { (void)read_profiles_csv(file); }),
               StartsWith(file.string() + ":2: "));
 }
@@ -141,15 +151,15 @@ TEST_F(ResultsCsv, ATornRowIsRefusedWithItsLine) {
 }
 
 TEST_F(ResultsCsv, ATextThatIsNoNumberIsRefusedWithItsColumn) {
-  write("# millwear profiles 1\ncycle,step,operating_hours,node,xi_m,eta_m\n0,0,0,0,0.1mm,0\n");
+  write("# millwear profiles 2\ncycle,step,operating_hours,node,xi_m,eta_m,depth_m_se\n0,0,0,0,0.1mm,0,0\n");
   EXPECT_THAT(refusal([this] { (void)read_profiles_csv(file); }),
               AllOf(StartsWith(file.string() + ":3: "), HasSubstr("`0.1mm` in column 5")));
 }
 
 TEST_F(ResultsCsv, ALostNodeIsRefused) {
   write(
-      "# millwear profiles 1\ncycle,step,operating_hours,node,xi_m,eta_m\n"
-      "0,0,0,0,0,0\n0,0,0,2,0,0\n");
+      "# millwear profiles 2\ncycle,step,operating_hours,node,xi_m,eta_m,depth_m_se\n"
+      "0,0,0,0,0,0,0\n0,0,0,2,0,0,0\n");
   EXPECT_THAT(refusal([this] { (void)read_profiles_csv(file); }),
               AllOf(StartsWith(file.string() + ":4: "), HasSubstr("out of order")));
 }

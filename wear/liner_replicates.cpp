@@ -81,7 +81,9 @@ LinerReplicates worn(const LinerReplicates& before, const UncertainLoad& load, d
   const Eigen::VectorXd rate = onto_current * load.load.rate(middle);
   Eigen::MatrixXd change = onto_current * load.load.sum(middle, load.newest, load.previous);
   change += rate * (load.growth * sections_ahead(before)).transpose();
+  const Eigen::VectorXd mean = change.rowwise().mean();
   change = change.cwiseMax((-rate).replicate(1, change.cols()));
+  change.colwise() += mean - change.rowwise().mean();
   const LoadCarrier along_surface(before.profile, bins);
   return {after, along_surface.onto_bins(after, bins) * (before.deeper + duration * change)};
 }

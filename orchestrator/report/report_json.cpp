@@ -119,14 +119,10 @@ Json json_of(const PowerSeries& series) {
 }
 
 Json json_of(const Conservation& balance) {
-  return {{"cycle", balance.cycle},
-          {"removed", balance.removed},
-          {"accounted", balance.accounted},
-          {"moved_by_smoothing", balance.moved_by_smoothing},
-          {"rejected", balance.rejected},
-          {"revolutions", balance.revolutions},
-          {"peak_error", balance.peak_error},
-          {"end", balance.end}};
+  return {{"cycle", balance.cycle},           {"removed", balance.removed},
+          {"accounted", balance.accounted},   {"moved_by_smoothing", balance.moved_by_smoothing},
+          {"rejected", balance.rejected},     {"revolutions", balance.revolutions},
+          {"peak_error", balance.peak_error}, {"end", balance.end}};
 }
 
 Json json_of(const MeasuredHeight& measured) {

@@ -151,7 +151,9 @@ TEST_F(ResultsCsv, ATornRowIsRefusedWithItsLine) {
 }
 
 TEST_F(ResultsCsv, ATextThatIsNoNumberIsRefusedWithItsColumn) {
-  write("# millwear profiles 2\ncycle,step,operating_hours,node,xi_m,eta_m,depth_m_se\n0,0,0,0,0.1mm,0,0\n");
+  write(
+      "# millwear profiles "
+      "2\ncycle,step,operating_hours,node,xi_m,eta_m,depth_m_se\n0,0,0,0,0.1mm,0,0\n");
   EXPECT_THAT(refusal([this] { (void)read_profiles_csv(file); }),
               AllOf(StartsWith(file.string() + ":3: "), HasSubstr("`0.1mm` in column 5")));
 }

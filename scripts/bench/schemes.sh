@@ -15,7 +15,7 @@ set terminal pngcairo size 900,560 font "sans,12"
 set output "docs/schemes.png"
 set datafile separator ","
 set logscale xy
-set key bottom left
+set key top right
 set xlabel "DEM loads in a campaign"
 set ylabel "error of the final profile, share of the depth worn"
 set format y "%g"

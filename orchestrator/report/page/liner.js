@@ -94,8 +94,9 @@ function drawOriginalAndWorn(container, caption) {
   const fresh = data.profiles[0];
   const worn = data.profiles[data.profiles.length - 1];
   const row = historyOf(worn.cycle, worn.step) || {};
-  caption.textContent = `New, and after ${hoursText(worn.operating_hours)}; the filled steel is gone, the shade on the worn profile is its 95 % band` +
-    (known(row.worn_volume) ? ` (${significant(3)(1e4 * row.worn_volume)} cm² of section).` : ".");
+  const section = known(row.worn_volume) ? ` (${significant(3)(1e4 * row.worn_volume)} cm² of section)` : "";
+  caption.textContent = `New, and after ${hoursText(worn.operating_hours)}; the filled steel${section} is gone, ` +
+    "the shade on the worn profile is its 95 % band.";
   responsive(container, (place, width) => {
     const drawing = sectorDrawing(place, width, "Original and worn profile", crestOf(fresh.nodes), 34);
     const {svg, path} = drawing;

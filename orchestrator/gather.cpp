@@ -12,6 +12,7 @@
 #include "orchestrator/campaign.h"
 #include "orchestrator/impacts.h"
 #include "orchestrator/uncertainty.h"
+#include "wear/load_carrier.h"
 #include "wear/load_rate.h"
 #include "wear/load_store.h"
 #include "wear/smoothing_error.h"
@@ -32,12 +33,7 @@ std::vector<Eigen::Vector2d> places_on(const Campaign& campaign, int cycle,
   const LinerProfile profile = dem_liner_of_cycle(campaign, cycle);
   const auto arc = arc_lengths(profile);
   std::vector<Eigen::Vector2d> places;
-  std::size_t segment = 0;
-  for (const double s : at) {
-    while (segment + 2 < arc.size() && arc[segment + 1] < s) ++segment;
-    const double t = (s - arc[segment]) / (arc[segment + 1] - arc[segment]);
-    places.emplace_back((1.0 - t) * profile.nodes[segment] + t * profile.nodes[segment + 1]);
-  }
+  for (const double s : at) places.push_back(wear::place_at(profile, arc, s));
   const bool is_reversed = rotation_of_cycle(campaign, cycle) == Rotation::reversed;
   if (is_reversed)
     for (auto& place : places) place.x() = -place.x();
@@ -123,7 +119,7 @@ PowerSeries power_of_cycle(int cycle, const Measured& measured, int blocks) {
 }
 
 /// Adds what a cycle left to the report, but for what is not known of it: that is returned.
-wear::WornCycle add_cycle(const Campaign& campaign, int cycle, ReportData& data) {
+wear::WornCycle add_cycle(const Campaign& campaign, int cycle, double time, ReportData& data) {
   const auto& mill = campaign.mill;
   const StageId wear_id{cycle, StageKind::wear};
   const auto measured =
@@ -164,7 +160,7 @@ wear::WornCycle add_cycle(const Campaign& campaign, int cycle, ReportData& data)
   const auto rate = wear::rate_of_load(mill, recorded.load);
   data.loads.push_back(load_of_cycle(campaign, cycle, rate));
   data.impacts.push_back(impacts_of(cycle, recorded, mill));
-  return worn_cycle(campaign, cycle, rate, kept);
+  return worn_cycle(campaign, cycle, time, rate, kept);
 }
 
 Life life_from(const Campaign& campaign, const Ledger& ledger, const ReportData& data) {
@@ -223,8 +219,11 @@ ReportData gather(const Campaign& campaign, const Ledger& ledger) {
   data.warnings = warnings(mill);
   data.energy_edges = as_vector(wear::energy_edges());
   std::vector<wear::WornCycle> cycles;
-  for (int cycle = 0; ledger.find({cycle, StageKind::wear}) != nullptr; ++cycle)
-    cycles.push_back(add_cycle(campaign, cycle, data));
+  double time = 0.0;
+  for (int cycle = 0; ledger.find({cycle, StageKind::wear}) != nullptr; ++cycle) {
+    cycles.push_back(add_cycle(campaign, cycle, time, data));
+    for (const auto& step : cycles.back().steps) time += step.duration;
+  }
   data.life = life_from(campaign, ledger, data);
   add_uncertainty(mill, cycles, data);
   double wall = 0.0;

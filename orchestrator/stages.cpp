@@ -91,9 +91,9 @@ double milling_time_before(const Campaign& campaign, int cycle) {
   return time;
 }
 
-wear::TimedLoad timed_load(const Campaign& campaign, int cycle, const wear::LoadRate& rate) {
-  return {milling_time_before(campaign, cycle), dem_liner_of_cycle(campaign, cycle),
-          rate.smoothed.rate,
+wear::TimedLoad timed_load(const Campaign& campaign, int cycle, double time,
+                           const wear::LoadRate& rate) {
+  return {time, dem_liner_of_cycle(campaign, cycle), rate.smoothed.rate,
           wear::depth_rate_by_block(wear::weights_of(campaign.mill), rate.load)};
 }
 

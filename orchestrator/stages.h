@@ -34,8 +34,8 @@ struct Campaign {
 /// Time that the mill has milled when a cycle's load is measured, since its liner was new [s].
 [[nodiscard]] double milling_time_before(const Campaign& campaign, int cycle);
 
-/// The load of a cycle on the liner and at the time that it was measured.
-[[nodiscard]] wear::TimedLoad timed_load(const Campaign& campaign, int cycle,
+/// The load of a cycle on its liner; `time` is when it was measured, `milling_time_before` [s].
+[[nodiscard]] wear::TimedLoad timed_load(const Campaign& campaign, int cycle, double time,
                                          const wear::LoadRate& rate);
 
 /// Share of the way from the new lifter to its limit, 0 ... 1, that a liner has gone.

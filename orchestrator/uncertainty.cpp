@@ -16,22 +16,19 @@ constexpr double seconds_per_hour = 3600.0;
 /// A value of even bins along a profile at each of its nodes.
 std::vector<double> at_nodes(const LinerProfile& profile, const Eigen::VectorXd& by_bin) {
   const auto lengths = arc_lengths(profile);
-  const double width = lengths.back() / static_cast<double>(by_bin.size());
+  const wear::ArcCurve curve{Eigen::VectorXd::LinSpaced(by_bin.size() + 1, 0.0, lengths.back()),
+                             by_bin};
   std::vector<double> values;
-  for (const double arc_length : lengths) {
-    const auto beside = wear::bins_beside(arc_length, width, by_bin.size());
-    values.push_back((1.0 - beside.share) * by_bin[beside.left] +
-                     beside.share * by_bin[beside.right]);
-  }
+  for (const double arc_length : lengths) values.push_back(curve.at(arc_length));
   return values;
 }
 
 }  // namespace
 
-wear::WornCycle worn_cycle(const Campaign& campaign, int cycle, const wear::LoadRate& rate,
-                           const KeptCycle& kept) {
+wear::WornCycle worn_cycle(const Campaign& campaign, int cycle, double time,
+                           const wear::LoadRate& rate, const KeptCycle& kept) {
   const auto seed = wear::random_bits(campaign.mill.dem.seed, static_cast<std::uint64_t>(cycle));
-  wear::WornCycle worn{timed_load(campaign, cycle, rate),
+  wear::WornCycle worn{timed_load(campaign, cycle, time, rate),
                        wear::rate_replicates(rate.smoothed, replicates, seed),
                        {},
                        rotation_of_cycle(campaign, cycle)};

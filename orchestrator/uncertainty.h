@@ -9,9 +9,10 @@
 
 namespace millwear::orchestrator {
 
-/// A cycle's load with replicates of what is not known of it, and the steps that were taken on it.
+/// A cycle's load with replicates of what is not known of it, and the steps that were taken on it;
+/// `time` is when the load was measured, `milling_time_before` [s].
 /// The same case and loads always give the same replicates.
-[[nodiscard]] wear::WornCycle worn_cycle(const Campaign& campaign, int cycle,
+[[nodiscard]] wear::WornCycle worn_cycle(const Campaign& campaign, int cycle, double time,
                                          const wear::LoadRate& rate, const KeptCycle& kept);
 
 /// Fills in the standard errors of history and profiles, and the band of a life that is reached.

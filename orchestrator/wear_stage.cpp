@@ -27,10 +27,6 @@ Outcome outcome_from_end(wear::EvolutionEnd end, bool is_reversed) {
   throw std::logic_error("an end of no kind");
 }
 
-}  // namespace
-
-namespace {
-
 constexpr int loads_that_count = 3;
 
 /// The loads of a cycle and of those before it that its wear depends on, and the newest as bins.
@@ -49,7 +45,7 @@ LoadsOfCycle loads_of_cycle(const Campaign& campaign, int cycle) {
     const wear::LoadRate rate = wear::rate_of_load(
         campaign.mill,
         wear::read_load(campaign.folder.stage({i, StageKind::dem}) / stage_files::load));
-    timed.push_back(timed_load(campaign, i, rate));
+    timed.push_back(timed_load(campaign, i, milling_time_before(campaign, i), rate));
     if (i == cycle) return {std::move(timed), rate};
   }
 }

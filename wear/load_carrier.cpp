@@ -8,7 +8,6 @@ namespace {
 
 constexpr double look_aside_share_of_bin = 1.0 / 40.0;
 constexpr double reach_in_bins = 4.0;
-constexpr IndexGrid few_hundred_places{24, 16};
 
 }  // namespace
 
@@ -16,7 +15,7 @@ LoadCarrier::LoadCarrier(const LinerProfile& first, Eigen::Index bins)
     : first_(first),
       bins_(bins),
       width_(arc_lengths(first).back() / static_cast<double>(bins)),
-      index_(first, reach_in_bins * width_, few_hundred_places) {}
+      index_(first, reach_in_bins * width_, grid_for_hundreds) {}
 
 LoadCarrier::Rows LoadCarrier::onto_nodes(const LinerProfile& worn) const {
   std::vector<double> lengths;

@@ -19,6 +19,7 @@ struct IndexGrid {
   int along_xi = 96;
   int along_eta = 64;
 };
+inline constexpr IndexGrid grid_for_hundreds{24, 16};
 
 /// Finds the nearest place on a profile and on its images on the two neighbouring pitches, whose
 /// arc length is that of the place they are images of.

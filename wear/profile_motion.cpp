@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "mill/failure.h"
+#include "wear/segment_distance.h"
 #include "wear/steel_cut.h"
 #include "wear/surface_thinning.h"
 
@@ -107,12 +108,9 @@ LinerProfile middle_pitch(const LinerProfile& old, const Points& surface) {
 double distance_to(const Points& line, const Eigen::Vector2d& point) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    const Eigen::Vector2d along = line[i + 1] - line[i];
-    const Eigen::Vector2d offset = point - line[i];
-    const double share = std::clamp(offset.dot(along) / along.squaredNorm(), 0.0, 1.0);
-    least = std::min(least, (offset - share * along).squaredNorm());
+    least = std::min(least, distance_to_segment(point, line[i], line[i + 1]));
   }
-  return std::sqrt(least);
+  return least;
 }
 
 bool same_place(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a == b; }

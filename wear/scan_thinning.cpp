@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "mill/failure.h"
+#include "wear/segment_distance.h"
 
 namespace millwear::wear {
 namespace {
@@ -55,15 +56,6 @@ bool is_dense(const Curve& curve, double error, std::size_t most) {
   return curve.size() > most || *middle < error;
 }
 
-double distance_to_chord(const Eigen::Vector2d& point, const Eigen::Vector2d& from,
-                         const Eigen::Vector2d& to) {
-  const Eigen::Vector2d along = to - from;
-  const double squared = along.squaredNorm();
-  const double share =
-      squared > 0.0 ? std::clamp((point - from).dot(along) / squared, 0.0, 1.0) : 0.0;
-  return (point - from - share * along).norm();
-}
-
 /// The nodes without which the curve would bend otherwise by more than `within` (Douglas, Peucker).
 Curve bends_of(const Curve& curve, double within) {
   std::vector<bool> kept(curve.size(), false);
@@ -75,7 +67,7 @@ Curve bends_of(const Curve& curve, double within) {
     double worst = within;
     std::size_t bend = from;
     for (std::size_t i = from + 1; i < to; ++i) {
-      const double off = distance_to_chord(curve[i], curve[from], curve[to]);
+      const double off = distance_to_segment(curve[i], curve[from], curve[to]);
       if (off <= worst) continue;
       worst = off;
       bend = i;

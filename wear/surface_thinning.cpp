@@ -4,20 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "wear/segment_distance.h"
+
 namespace millwear::wear {
 namespace {
 
 constexpr double straight_within = 1e-6;
 constexpr double no_depth = 1.5e-9;
-
-double distance_to_chord(const Eigen::Vector2d& point, const Eigen::Vector2d& from,
-                         const Eigen::Vector2d& to) {
-  const Eigen::Vector2d along = to - from;
-  const double squared = along.squaredNorm();
-  const double share =
-      squared > 0.0 ? std::clamp((point - from).dot(along) / squared, 0.0, 1.0) : 0.0;
-  return (point - from - share * along).norm();
-}
 
 /// The chord passes above the point, on the side of the charge.
 bool chord_adds_steel(const Eigen::Vector2d& point, const Eigen::Vector2d& from,
@@ -37,7 +30,7 @@ void keep_the_bends(const std::vector<SurfaceNode>& surface, std::size_t from, s
   std::size_t bend = from;
   for (std::size_t i = from + 1; i < to; ++i) {
     const double excess =
-        distance_to_chord(surface[i].position, surface[from].position, surface[to].position) /
+        distance_to_segment(surface[i].position, surface[from].position, surface[to].position) /
         std::min(straight_within, most_lift(surface[i]));
     if (excess > worst) {
       worst = excess;
@@ -79,7 +72,7 @@ double cost_of_dropping(const std::vector<SurfaceNode>& surface,
   double cost = 0.0;
   for (std::size_t k = kept[i - 1] + 1; k < kept[i + 1]; ++k) {
     const SurfaceNode& node = surface[k];
-    const double moved = distance_to_chord(node.position, from, to);
+    const double moved = distance_to_segment(node.position, from, to);
     const bool may_not_move = node.depth < no_depth || chord_adds_steel(node.position, from, to);
     if (may_not_move && moved > most_lift(node)) return never;
     cost = std::max(cost, moved);

@@ -10,13 +10,12 @@ namespace millwear::wear {
 namespace {
 
 constexpr Eigen::Index zones = 12;
-constexpr IndexGrid few_hundred_places{24, 16};
 
 /// The zone of `liner` that each bin of the load lies in.
 std::vector<Eigen::Index> zones_of_bins(const TimedLoad& load, const LinerProfile& liner) {
   const auto lengths = arc_lengths(load.profile);
   const double width = load.rate.bin_width();
-  const ProfileIndex index(liner, 4.0 * width, few_hundred_places);
+  const ProfileIndex index(liner, 4.0 * width, grid_for_hundreds);
   std::vector<Eigen::Index> found;
   for (Eigen::Index bin = 0; bin < load.rate.values.size(); ++bin) {
     const auto centre = place_at(load.profile, lengths, (static_cast<double>(bin) + 0.5) * width);

@@ -9,6 +9,7 @@
 #include "orchestrator/ledger.h"
 #include "orchestrator/measured.h"
 #include "tests/unit/mill/example_case.h"
+#include "tests/unit/orchestrator/example_measurement.h"
 #include "tests/unit/orchestrator/temporary_folder.h"
 #include "wear/evolution.h"
 #include "wear/load_accumulator.h"
@@ -26,16 +27,7 @@ constexpr double hour = 3600.0;
 /// Sliding everywhere alike, impacts on the leading half alone: each of the energy that wears 10 um
 /// an hour at k = 1e-12 1/Pa.
 wear::LinerRecord record_on(const Case& mill, const LinerProfile& liner) {
-  wear::LoadAccumulator accumulator(liner, {.bins = mill.wear.bins,
-                                            .class_mass = {1.0, 0.1, 0.05},
-                                            .particles = 10,
-                                            .triangles = 1,
-                                            .block_count = 10,
-                                            .slice_length = mill.slice_length,
-                                            .duration = 1.0,
-                                            .sample_interval = 0.01,
-                                            .contact_limit = 1e-3,
-                                            .excess_speed = 0.1});
+  wear::LoadAccumulator accumulator(liner, example_measurement(mill));
   for (int i = 0; i < 100; ++i) accumulator.add({0.01 * i, 0.0, {}});
   wear::LinerRecord record = accumulator.finish();
   WallLoad& load = record.load;

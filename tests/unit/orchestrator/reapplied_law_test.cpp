@@ -12,6 +12,7 @@
 #include "orchestrator/ledger.h"
 #include "orchestrator/measured.h"
 #include "tests/unit/mill/example_case.h"
+#include "tests/unit/orchestrator/example_measurement.h"
 #include "tests/unit/orchestrator/temporary_folder.h"
 #include "wear/load_accumulator.h"
 #include "wear/load_rate.h"
@@ -134,16 +135,7 @@ class KeptCampaign : public testing::Test {
     const StageId stage{cycle, StageKind::dem};
     std::filesystem::create_directories(folder.stage(stage));
     const auto file = folder.stage(stage) / stage_files::load;
-    wear::LoadAccumulator accumulator(mill.liner, {.bins = mill.wear.bins,
-                                                   .class_mass = {1.0, 0.1, 0.05},
-                                                   .particles = 10,
-                                                   .triangles = 1,
-                                                   .block_count = 10,
-                                                   .slice_length = mill.slice_length,
-                                                   .duration = 1.0,
-                                                   .sample_interval = 0.01,
-                                                   .contact_limit = 1e-3,
-                                                   .excess_speed = 0.1});
+    wear::LoadAccumulator accumulator(mill.liner, example_measurement(mill));
     for (int i = 0; i < 100; ++i) {
       WallContact contact{};
       contact.point = to_mill_point(1e-3 * (i % 20 - 10));

@@ -4,6 +4,7 @@
 #include "mill/profile_csv.h"
 #include "orchestrator/stages.h"
 #include "tests/unit/mill/example_case.h"
+#include "tests/unit/orchestrator/example_measurement.h"
 #include "tests/unit/orchestrator/temporary_folder.h"
 #include "wear/load_accumulator.h"
 #include "wear/load_carrier.h"
@@ -33,16 +34,7 @@ class TurningCampaign : public testing::Test {
     std::filesystem::create_directories(stage);
     const LinerProfile liner = dem_liner_of_cycle(campaign, cycle);
     const auto lengths = arc_lengths(liner);
-    wear::LoadAccumulator accumulator(liner, {.bins = mill.wear.bins,
-                                              .class_mass = {1.0, 0.1, 0.05},
-                                              .particles = 10,
-                                              .triangles = 1,
-                                              .block_count = 10,
-                                              .slice_length = mill.slice_length,
-                                              .duration = 1.0,
-                                              .sample_interval = 0.01,
-                                              .contact_limit = 1e-3,
-                                              .excess_speed = 0.1});
+    wear::LoadAccumulator accumulator(liner, example_measurement(mill));
     for (int i = 0; i < 100; ++i) {
       const double share = 0.53 + 0.002 * (i % 50);
       const auto spot = wear::place_at(liner, lengths, share * lengths.back());

@@ -7,12 +7,15 @@
 namespace millwear::wear {
 namespace {
 
-void print(const ClosedFormLoad& load, Scheme scheme, const std::vector<ClosedFormRun>& runs) {
+/// The runs of a scheme, printed with their order.
+std::vector<ClosedFormRun> printed(const ClosedFormLoad& load, Scheme scheme) {
+  const auto runs = refined(load, scheme);
   for (const auto& found : runs) {
     std::printf("%-8s %-9s %4d loads  error %.2e\n", load.name.c_str(), name_of(scheme).data(),
                 found.loads, found.error);
   }
   std::printf("%-8s %-9s order %.2f\n", load.name.c_str(), name_of(scheme).data(), order_of(runs));
+  return runs;
 }
 
 // An even rate on a ring leaves a ring. What is left is that the ring grows longer within a
@@ -28,10 +31,8 @@ TEST(SchemeOrder, EvenRateIsExact) {
 // than a third of the loads.
 TEST(SchemeOrder, GrowingRate) {
   const auto load = growing_rate();
-  const auto paper = refined(load, Scheme::threshold);
-  const auto adaptive = refined(load, Scheme::adaptive);
-  print(load, Scheme::threshold, paper);
-  print(load, Scheme::adaptive, adaptive);
+  const auto paper = printed(load, Scheme::threshold);
+  const auto adaptive = printed(load, Scheme::adaptive);
   EXPECT_NEAR(order_of(paper), 1.0, 0.25);
   EXPECT_GT(order_of(adaptive), 1.7);
   const double fewer = loads_for(0.01, paper) / loads_for(0.01, adaptive);
@@ -43,10 +44,8 @@ TEST(SchemeOrder, GrowingRate) {
 // The polyline's own error, 0.1 % and of the other sign, hides a little of the paper's scheme's.
 TEST(SchemeOrder, RateBySlope) {
   const auto load = rate_by_slope();
-  const auto paper = refined(load, Scheme::threshold);
-  const auto adaptive = refined(load, Scheme::adaptive);
-  print(load, Scheme::threshold, paper);
-  print(load, Scheme::adaptive, adaptive);
+  const auto paper = printed(load, Scheme::threshold);
+  const auto adaptive = printed(load, Scheme::adaptive);
   EXPECT_NEAR(order_of(paper), 1.0, 0.5);
   EXPECT_GT(order_of(adaptive), 1.6);
   EXPECT_LT(adaptive.back().error, 2e-3);

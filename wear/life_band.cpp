@@ -19,10 +19,8 @@ double quantile(const Eigen::VectorXd& sorted, double share) {
 /// What is left above a limit at every time (rows), of every replicate (columns).
 Eigen::VectorXd times_of_zero(const std::vector<double>& times, const Eigen::MatrixXd& left,
                               double last_load) {
-  const auto since = std::upper_bound(times.begin() + 1, times.end() - 1, last_load) - 1;
   const Eigen::Index end = left.rows() - 1;
-  const double speed =
-      (left.row(since - times.begin()).mean() - left.row(end).mean()) / (times.back() - *since);
+  const double speed = mean_speed(times, left, last_load);
   Eigen::VectorXd zero(left.cols());
   for (Eigen::Index r = 0; r < left.cols(); ++r) {
     Eigen::Index i = 1;
@@ -45,6 +43,12 @@ Band band_of(Eigen::VectorXd replicates) {
   if (replicates.size() < 2 || !replicates.allFinite()) return {unknown, unknown};
   std::sort(replicates.begin(), replicates.end());
   return {quantile(replicates, 0.025), quantile(replicates, 0.975)};
+}
+
+double mean_speed(const std::vector<double>& times, const Eigen::MatrixXd& values, double since) {
+  const auto from = std::upper_bound(times.begin() + 1, times.end() - 1, since) - 1;
+  return (values.row(from - times.begin()).mean() - values.row(values.rows() - 1).mean()) /
+         (times.back() - *from);
 }
 
 Eigen::VectorXd lives(const std::vector<ReplicatesInTime>& course, double height_limit,

@@ -20,6 +20,11 @@ struct ReplicatesInTime {
   Eigen::VectorXd plates;   ///< least plate thickness of each [m]
 };
 
+/// How fast the replicates (columns) went down in the mean from the last moment (row) up to `since`
+/// to the end; `times` are of the moments.
+[[nodiscard]] double mean_speed(const std::vector<double>& times, const Eigen::MatrixXd& values,
+                                double since);
+
 /// When each replicate is worn out [s]: the first time that its height or its plate is at its limit
 /// [m], linear between the times of `course`. One that is not there by the end goes on as fast as
 /// all of them did in the mean since `last_load` [s]: its own noise of that time says nothing of a

@@ -1,9 +1,10 @@
 # millwear from the shell. `make help` says what there is.
-.PHONY: all build demo test unit check-style bench clean help
+.PHONY: all build demo seed seed-check test unit check-style bench clean help
 
 PROGRAM := build/release/millwear
 DEMO_CASE := cases/pilot_mill/case.toml
 DEMO_RUN := runs/pilot_mill
+SEED := seed_mill_8m_desktop
 CTEST := ctest --preset ci --no-tests=error
 
 all: build
@@ -16,6 +17,12 @@ build: ## Install what is missing and build build/release/millwear
 
 demo: build ## Wear the pilot mill's liner from new to its limit, and say where the report lies
 	@$(PROGRAM) run $(DEMO_CASE) --out $(DEMO_RUN)
+
+seed: build ## Wear the 8 m mill's liner from new to its limit; the same command resumes it
+	@$(PROGRAM) run cases/$(SEED)/case.toml --out runs/$(SEED)
+
+seed-check: build ## Hold the 8 m mill's finished campaign against its published gauge readings
+	@$(PROGRAM) compare cases/$(SEED)/case.toml --out cases/$(SEED)/reference --calibrate-until 5112
 
 test: ## Install what is missing, build with warnings as errors and run every test
 	@scripts/install_packages.sh test

@@ -125,6 +125,11 @@ struct CampaignSettings {
                                             ///< other way, increasing [s] (mill/rotation.h)
 };
 
+/// How the gauge readings are held against the campaign. Nothing that is simulated depends on it.
+struct GaugeSettings {
+  std::optional<double> calibrate_until{};  ///< on the readings up to these operating hours [h]
+};
+
 /// A mill as its owner describes it, complete and checked. SI units, angles in radians.
 struct Case {
   std::string name;
@@ -140,6 +145,7 @@ struct Case {
   DemSettings dem;
   WearSettings wear;
   CampaignSettings campaign;
+  GaugeSettings gauge{};
 };
 
 /// The pair of two materials, in either order. Throws InputError if no pair covers them.

@@ -142,6 +142,12 @@ CampaignSettings build_campaign(const CaseDocument& document, CaseProblems& prob
       .reversal_times = build_reversals(campaign, problems)};
 }
 
+GaugeSettings build_gauge(const CaseDocument& document) {
+  const CaseTable* const gauge = document.find("gauge");
+  if (gauge == nullptr) return {};
+  return {.calibrate_until = optional_real(*gauge, "calibrate_until_hours")};
+}
+
 double build_speed(const CaseDocument& document, const LinerSector& sector, double largest_diameter,
                    CaseProblems& problems) {
   const CaseTable& mill = *document.find("mill");

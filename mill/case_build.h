@@ -32,6 +32,8 @@ namespace millwear {
 
 [[nodiscard]] CampaignSettings build_campaign(const CaseDocument& document, CaseProblems& problems);
 
+[[nodiscard]] GaugeSettings build_gauge(const CaseDocument& document);
+
 /// Speed [rad/s], a whole `speed_rpm` x pi / 30 in either form, so that a locked copy repeats it.
 [[nodiscard]] double build_speed(const CaseDocument& document, const LinerSector& sector,
                                  double largest_diameter, CaseProblems& problems);

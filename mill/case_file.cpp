@@ -34,7 +34,8 @@ Case case_from_text(std::string_view text, const std::filesystem::path& file) {
               .charge = {},
               .dem = build_dem(document),
               .wear = {},
-              .campaign = build_campaign(document, problems)};
+              .campaign = build_campaign(document, problems),
+              .gauge = build_gauge(document)};
   if (const auto feed = optional_real(mill, "feed_rate_t_per_h")) {
     result.feed_rate = feed_from_t_per_h(*feed);
   }

@@ -22,7 +22,7 @@ constexpr std::string_view wear_laws =
     "archard|finnie|normal_dissipation|excess_energy|shear_dissipation|incident_energy|"
     "shear_impact_energy|corrosion";
 
-constexpr std::array<TableSpec, 12> tables{{
+constexpr std::array<TableSpec, 13> tables{{
     {"", false, true, "The keys before the first table."},
     {"mill", false, true, "The mill and the slice of it that is simulated."},
     {"lifter", false, true,
@@ -44,6 +44,9 @@ constexpr std::array<TableSpec, 12> tables{{
      "One law of the sum. Where two of the same law concern the same particles, their "
      "coefficients add."},
     {"campaign", false, true, "When the DEM is run anew, and when the liner is worn out."},
+    {"gauge", false, false,
+     "How the gauge readings beside this file are held against the campaign. It may be changed at "
+     "any time: what is simulated does not depend on it, and `case.lock.toml` has none of it."},
 }};
 
 constexpr KeySpec keys[] = {
@@ -216,6 +219,10 @@ constexpr KeySpec keys[] = {
     {"campaign", "reversal_hours", reals, optional, "", positive, "",
      "operating hours at which the mill is made to turn the other way, increasing; never where "
      "missing [h]"},
+
+    {"gauge", "calibrate_until_hours", real, optional, "", positive, "",
+     "`compare` and the report calibrate the campaign's hours on the heights read up to these "
+     "operating hours and predict the later ones; not at all where missing [h]"},
 };
 
 }  // namespace

@@ -54,6 +54,7 @@ constexpr std::array<VerbText, 10> verbs = {{
      "Compare a campaign with the gauge readings, or two profiles with each other",
      "  millwear compare my_mill.toml\n"
      "  millwear compare my_mill.toml --out runs/try --csv comparison.csv\n"
+     "  millwear compare my_mill.toml --calibrate-until 5112 --plot calibrated.png\n"
      "  millwear compare my_mill.toml --profiles scanned.csv predicted.csv"},
     {Verb::calibrate, "calibrate",
      "Find the coefficients of the wear laws from measured heights and profiles, along the liners "
@@ -100,6 +101,25 @@ void add_import_options(CLI::App& verb, ImportOptions& import) {
                   "Steel over the shell; with --align ends that under the profile's ends");
 }
 
+void add_compare_options(CLI::App& verb, Command& command) {
+  const std::map<std::string, GaugeOn> gauges{{"new-plate", GaugeOn::new_plate},
+                                              {"plate", GaugeOn::plate}};
+  verb.add_option("--csv", command.csv, "Write the comparison with the readings as a table");
+  verb.add_option("--profiles", command.compared_profiles,
+                  "Two profiles (CSV) to compare, in place of the campaign and the readings")
+      ->expected(2);
+  verb.add_option("--calibrate-until", command.calibrate_until,
+                  "Calibrate the campaign's hours on the heights read up to these operating hours "
+                  "and predict the later ones; by default the case's [gauge] "
+                  "calibrate_until_hours; 0 for not at all")
+      ->check(CLI::Range(0.0, most_hours));
+  verb.add_option("--gauge-on", command.gauge_on,
+                  "With --calibrate-until: what the heights were read from: new-plate, where the "
+                  "plate was when new (by default), or plate, the worn plate that a gauge rests on")
+      ->transform(CLI::CheckedTransformer(gauges).description(""));
+  verb.add_option("--plot", command.plot, "With --calibrate-until: draw it (PNG) with gnuplot");
+}
+
 }  // namespace
 
 ParsedCommandLine parse_command_line(int argc, const char* const* argv) {
@@ -142,12 +162,7 @@ ParsedCommandLine parse_command_line(int argc, const char* const* argv) {
     if (text.verb == Verb::wear)
       verb->add_option("--csv", command.csv, "Write the depth rate by cycle, mechanism and bin");
     if (text.verb == Verb::import) add_import_options(*verb, command.import);
-    if (text.verb == Verb::compare) {
-      verb->add_option("--csv", command.csv, "Write the comparison with the readings as a table");
-      verb->add_option("--profiles", command.compared_profiles,
-                       "Two profiles (CSV) to compare, in place of the campaign and the readings")
-          ->expected(2);
-    }
+    if (text.verb == Verb::compare) add_compare_options(*verb, command);
     if (text.verb == Verb::import || text.verb == Verb::compare || text.verb == Verb::report ||
         text.verb == Verb::calibrate)
       verb->add_option("--readings", command.readings,

@@ -6,6 +6,7 @@
 
 #include "orchestrator/import_options.h"
 #include "orchestrator/progress.h"
+#include "orchestrator/report/calibrated_course.h"
 
 namespace millwear::orchestrator {
 
@@ -29,6 +30,10 @@ struct Command {
   ImportOptions import{};
   std::vector<std::filesystem::path> compared_profiles{};  ///< compare: none, or two
   std::optional<double> until{};  ///< calibrate: fit to readings up to here only [h]
+  std::optional<double>
+      calibrate_until{};              ///< compare: instead of the case's [h]; 0 for not at all
+  std::optional<GaugeOn> gauge_on{};  ///< compare, calibrated
+  std::optional<std::filesystem::path> plot{};  ///< compare, calibrated: file of the picture
 };
 
 /// The command, or the exit code with which the program ends at once (help, version, bad usage).

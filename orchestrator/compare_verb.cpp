@@ -9,8 +9,11 @@
 #include "mill/failure.h"
 #include "mill/profile_csv.h"
 #include "mill/published_file.h"
+#include "orchestrator/course_calibration.h"
+#include "orchestrator/course_comparison.h"
 #include "orchestrator/gauge_comparison.h"
 #include "orchestrator/gauge_folder.h"
+#include "orchestrator/report/course_plot.h"
 #include "orchestrator/run_folder.h"
 #include "orchestrator/verbs.h"
 
@@ -128,9 +131,14 @@ void print_text(const ProfileDifference& difference) {
       1e3 * difference.hausdorff);
 }
 
+/// Where a campaign's results lie: in its `results`, or beside its case where only they were kept.
+fs::path results_in(const RunFolder& folder) {
+  return fs::exists(folder.results() / "history.csv") ? folder.results() : folder.root;
+}
+
 /// Throws where the folder holds no campaign, or one of another liner.
 void check_same_liner(const Case& mill, const RunFolder& folder) {
-  if (!fs::exists(folder.locked_case()) || !fs::exists(folder.results() / "history.csv"))
+  if (!fs::exists(folder.locked_case()) || !fs::exists(results_in(folder) / "history.csv"))
     throw Failure(ExitCode::usage,
                   fmt::format("{}: no campaign with results is here; `millwear run {}` makes one, "
                               "or name its folder with --out",
@@ -146,18 +154,58 @@ void check_same_liner(const Case& mill, const RunFolder& folder) {
         mill.file.string(), folder.root.string(), folder.locked_case().string()));
 }
 
-void compare_campaign(const Command& command, const Case& mill) {
-  const RunFolder folder{command.out.empty() ? fs::path("runs") / mill.name : command.out};
-  const auto readings = needed_readings_in(gauge_folder(mill, command.readings), mill);
-  check_same_liner(mill, folder);
+/// How far to calibrate [h]; none where neither the command nor the case says.
+std::optional<double> calibrate_until(const Command& command, const Case& mill) {
+  const auto until = command.calibrate_until ? command.calibrate_until : mill.gauge.calibrate_until;
+  return until == 0.0 ? std::nullopt : until;
+}
+
+void compare_calibrated(const Command& command, const Case& mill, const fs::path& results,
+                        const std::vector<GaugeReading>& readings, double until) {
+  CampaignCourse campaign{read_history_csv(results / "history.csv"), {}};
+  if (const auto replicates = results / "replicates.csv"; fs::exists(replicates))
+    campaign.replicates = read_replicates_csv(replicates);
+  const CalibratedCourse course = calibrated_course(
+      mill, campaign, readings, {until, command.gauge_on.value_or(GaugeOn::new_plate)});
+  if (command.csv) publish(*command.csv, course_csv(course));
+  if (command.plot) publish(*command.plot, course_png(course));
+  fmt::print("{}{}", command.form == OutputForm::json ? course_json(course) : course_text(course),
+             command.form == OutputForm::json ? "\n" : "");
+}
+
+void compare_as_run(const Command& command, const Case& mill, const fs::path& results,
+                    const std::vector<GaugeReading>& readings) {
   const auto comparisons =
-      compare_with(readings, read_history_csv(folder.results() / "history.csv"),
-                   read_profiles_csv(folder.results() / "profiles.csv"), mill.liner.sector);
+      compare_with(readings, read_history_csv(results / "history.csv"),
+                   read_profiles_csv(results / "profiles.csv"), mill.liner.sector);
   if (command.csv) publish(*command.csv, comparison_csv(comparisons));
   if (command.form == OutputForm::json)
     fmt::print("{}\n", json_of(comparisons).dump(1));
   else
     print_text(comparisons);
+}
+
+/// Throws Failure (usage) where an option asks for a calibration and there is none.
+void check_usage(const Command& command, const Case& mill) {
+  if (!command.gauge_on && !command.plot && !command.calibrate_until) return;
+  if (!command.compared_profiles.empty())
+    throw Failure(ExitCode::usage,
+                  "--profiles compares two profiles alone; leave --calibrate-until, --gauge-on and "
+                  "--plot out");
+  if ((command.gauge_on || command.plot) && !calibrate_until(command, mill))
+    throw Failure(ExitCode::usage,
+                  "--gauge-on and --plot are for calibrated hours; add --calibrate-until HOURS, or "
+                  "`calibrate_until_hours` in the case's [gauge]");
+}
+
+void compare_campaign(const Command& command, const Case& mill) {
+  const RunFolder folder{command.out.empty() ? fs::path("runs") / mill.name : command.out};
+  const auto readings = needed_readings_in(gauge_folder(mill, command.readings), mill);
+  check_same_liner(mill, folder);
+  if (const auto until = calibrate_until(command, mill))
+    compare_calibrated(command, mill, results_in(folder), readings, *until);
+  else
+    compare_as_run(command, mill, results_in(folder), readings);
 }
 
 void compare_profiles(const Command& command, const Case& mill) {
@@ -175,6 +223,7 @@ void compare_profiles(const Command& command, const Case& mill) {
 
 void compare_verb(const Command& command) {
   const Case mill = read_case(command.case_file);
+  check_usage(command, mill);
   if (command.compared_profiles.empty())
     compare_campaign(command, mill);
   else

@@ -13,6 +13,7 @@
 #include "orchestrator/report/report.h"
 #include "orchestrator/results/history.h"
 #include "orchestrator/results/profiles.h"
+#include "orchestrator/results/replicates.h"
 #include "orchestrator/version.h"
 #include "wear/load_accumulator.h"
 #include "wear/load_store.h"
@@ -34,7 +35,8 @@ std::string liggghts_version(const Campaign& campaign) {
   return start == std::string::npos ? "" : text.substr(start, text.find('\n', start) - start);
 }
 
-constexpr std::array result_names{"history.csv", "profiles.csv", "bins.h5", "spectra.csv"};
+constexpr std::array result_names{"history.csv", "profiles.csv", "replicates.csv", "bins.h5",
+                                  "spectra.csv"};
 
 json outputs_of(const Ledger& ledger, const RunFolder& folder) {
   json outputs = json::object();
@@ -107,6 +109,7 @@ void publish_results(const Campaign& campaign, const Ledger& ledger, const Repor
   fs::create_directories(folder);
   publish(folder / "history.csv", history_csv(data.history));
   publish(folder / "profiles.csv", profiles_csv(data.profiles));
+  publish(folder / "replicates.csv", replicates_csv(data.replicates));
   publish_loads(campaign, ledger);
   publish_spectra(campaign, ledger);
   publish(folder / "summary.json", summary_json(campaign, ledger, data));

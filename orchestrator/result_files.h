@@ -4,7 +4,7 @@
 
 namespace millwear::orchestrator {
 
-/// Writes results/history.csv, profiles.csv, bins.h5 and summary.json, each whole.
+/// Writes results/history.csv, profiles.csv, replicates.csv, bins.h5 and summary.json, each whole.
 void publish_results(const Campaign& campaign, const Ledger& ledger, const ReportData& data);
 
 /// Writes report.html.

@@ -17,6 +17,7 @@
 #include "orchestrator/campaign.h"
 #include "orchestrator/child_process.h"
 #include "orchestrator/cost_estimate.h"
+#include "orchestrator/course_calibration.h"
 #include "orchestrator/gather.h"
 #include "orchestrator/gauge_folder.h"
 #include "orchestrator/result_files.h"
@@ -149,7 +150,9 @@ LedgerEntry run_and_tell(const Campaign& campaign, const StageId& stage, Progres
 /// A table that cannot be taken does not stop a campaign, unless it was asked for by name.
 void add_readings_of(const Command& command, const Case& mill, ReportData& data) {
   try {
-    add_readings(readings_in(gauge_folder(mill, command.readings), mill), data);
+    const auto readings = readings_in(gauge_folder(mill, command.readings), mill);
+    add_readings(readings, data);
+    add_calibrated_course(mill, readings, data);
   } catch (const InputError& problem) {
     if (command.readings) throw;
     data.warnings.push_back(fmt::format("the gauge readings are left out: {}", problem.what()));

@@ -37,9 +37,20 @@ wear::WornCycle worn_cycle(const Campaign& campaign, int cycle, double time,
   return worn;
 }
 
+namespace {
+
+/// The new liner, the same for all replicates, as a row before the steps.
+void begin_replicates(const Case& mill, ReportData& data) {
+  data.replicates = {{0, 0, 0.0, Eigen::VectorXd::Constant(replicates, lifter_height(mill.liner)),
+                      Eigen::VectorXd::Constant(replicates, plate_thickness(mill.liner))}};
+}
+
+}  // namespace
+
 void add_uncertainty(const Case& mill, const std::vector<wear::WornCycle>& cycles,
                      ReportData& data) {
   const auto bands = wear::bands_of(cycles, mill.campaign.scheme);
+  if (!data.history.empty()) begin_replicates(mill, data);
   std::size_t row = 1;
   for (std::size_t cycle = 0; cycle < bands.size(); ++cycle)
     for (std::size_t step = 0; step < bands[cycle].size(); ++step, ++row) {
@@ -48,6 +59,8 @@ void add_uncertainty(const Case& mill, const std::vector<wear::WornCycle>& cycle
       history.lifter_height_error = band.height_error;
       history.plate_thickness_error = band.plate_error;
       history.worn_volume_error = band.section_error;
+      data.replicates.push_back({history.cycle, history.step, history.operating_hours,
+                                 band.replicates.heights, band.replicates.plates});
       auto& error = data.profiles.at(row).depth_error;
       error = at_nodes(cycles[cycle].steps[step].profile, band.depth_error);
       if (cycles[cycle].rotation == Rotation::reversed) std::ranges::reverse(error);

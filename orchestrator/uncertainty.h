@@ -15,7 +15,8 @@ namespace millwear::orchestrator {
 [[nodiscard]] wear::WornCycle worn_cycle(const Campaign& campaign, int cycle, double time,
                                          const wear::LoadRate& rate, const KeptCycle& kept);
 
-/// Fills in the standard errors of history and profiles, and the band of a life that is reached.
+/// Fills in the standard errors of history and profiles, the replicates, and the band of a life
+/// that is reached.
 /// `data.history` and `data.profiles` have a row for the new liner and one for every step.
 void add_uncertainty(const Case& mill, const std::vector<wear::WornCycle>& cycles,
                      ReportData& data);

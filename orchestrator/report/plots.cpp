@@ -9,6 +9,7 @@
 #include "mill/published_file.h"
 #include "orchestrator/report/gnuplot.h"
 #include "orchestrator/report/measured_charge.h"
+#include "orchestrator/report/plot_style.h"
 
 namespace millwear::orchestrator {
 namespace {
@@ -16,13 +17,6 @@ namespace {
 constexpr double mm_per_m = 1e3;
 constexpr double kw_per_w = 1e-3;
 constexpr double within_errors = 1.96;  ///< 95 %
-
-std::string terminal(int width, int height) {
-  return fmt::format(
-      "set terminal pngcairo size {},{} font 'DejaVu Sans,11' background '#ffffff'\n"
-      "set border 3 lc '#9aa4ad'\nset grid lc '#d9dee2' lt 1\nset tics nomirror tc '#1c2126'\n",
-      width, height);
-}
 
 std::string profile_blocks(const std::vector<ProfileRow>& profiles) {
   std::string text = "$profiles << EOD\n";
@@ -64,7 +58,8 @@ int profile_picture_height(const std::vector<ProfileRow>& profiles) {
 }
 
 std::string profile_commands(const ReportData& data) {
-  return terminal(1200, profile_picture_height(data.profiles)) + profile_blocks(data.profiles) +
+  return plot_terminal(1200, profile_picture_height(data.profiles)) +
+         profile_blocks(data.profiles) +
          "set size ratio -1\n"
          "set xlabel 'along the direction of rotation [mm]'\n"
          "set ylabel 'height over the new plate [mm]'\n"
@@ -78,8 +73,8 @@ std::string history_commands(const ReportData& data) {
   const bool has_power = std::ranges::any_of(
       charges, [](const MeasuredCharge& charge) { return std::isfinite(charge.power); });
   std::string text =
-      terminal(1200, has_power ? 800 : 450) + height_block(data.history) + power_block(charges) +
-      "set xlabel 'operating hours'\nset lmargin 10\n" +
+      plot_terminal(1200, has_power ? 800 : 450) + height_block(data.history) +
+      power_block(charges) + "set xlabel 'operating hours'\nset lmargin 10\n" +
       fmt::format("set xrange [0:{}]\n", data.history.back().operating_hours * 1.02 + 1);
   if (has_power) text += "set multiplot layout 2,1\n";
   text +=
@@ -95,6 +90,13 @@ std::string history_commands(const ReportData& data) {
 }
 
 }  // namespace
+
+std::string plot_terminal(int width, int height) {
+  return fmt::format(
+      "set terminal pngcairo size {},{} font 'DejaVu Sans,11' background '#ffffff'\n"
+      "set border 3 lc '#9aa4ad'\nset grid lc '#d9dee2' lt 1\nset tics nomirror tc '#1c2126'\n",
+      width, height);
+}
 
 void write_plots(const ReportData& data, const std::filesystem::path& folder) {
   if (!data.profiles.empty())

@@ -1,12 +1,15 @@
 #pragma once
 #include <Eigen/Core>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "mill/liner_profile.h"
+#include "orchestrator/report/calibrated_course.h"
 #include "orchestrator/results/history.h"
 #include "orchestrator/results/profiles.h"
+#include "orchestrator/results/replicates.h"
 
 namespace millwear::orchestrator {
 
@@ -109,6 +112,7 @@ struct ReportData {
   double plate_limit;   ///< [m], NaN for none
   std::vector<HistoryRow> history;
   std::vector<ProfileRow> profiles;
+  std::vector<ReplicateRow> replicates{};  ///< a row for each of `history`
   std::vector<LoadAlongProfile> loads;
   std::vector<double> energy_edges;  ///< of the classes of `impacts` [J]
   std::vector<Impacts> impacts;
@@ -116,6 +120,7 @@ struct ReportData {
   std::vector<Conservation> conservation;
   std::vector<MeasuredHeight> measured;
   std::vector<MeasuredProfile> measured_profiles{};
+  std::optional<CalibratedCourse> calibrated{};  ///< where the case says how far to calibrate
   std::vector<std::string> warnings;
   std::vector<LabelledValue> provenance;
 };

@@ -131,6 +131,42 @@ Json json_of(const MeasuredHeight& measured) {
           {"error", measured.error}};
 }
 
+Json json_of(const Banded& banded) {
+  return {{"value", banded.value}, {"low", banded.band.low}, {"high", banded.band.high}};
+}
+
+Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+
+Json json_of(const CourseReading& reading) {
+  return {{"operating_hours", reading.operating_hours},
+          {"use", spoken(reading.use)},
+          {"height", or_null(reading.height)},
+          {"error", reading.error},
+          {"predicted", json_of(reading.predicted)},
+          {"line", reading.line},
+          {"plate", or_null(reading.plate)},
+          {"predicted_plate", json_of(reading.predicted_plate)}};
+}
+
+Json json_of(const CourseMoment& moment) {
+  return {{"operating_hours", moment.operating_hours}, {"height", json_of(moment.height)}};
+}
+
+Json json_of(const std::optional<CalibratedCourse>& course) {
+  if (!course) return nullptr;
+  const auto each = [](const auto& item) { return json_of(item); };
+  return {{"until", course->until},
+          {"factor", json_of(course->factor)},
+          {"readings", array_of(course->readings, each)},
+          {"curve", array_of(course->curve, each)},
+          {"fresh_height", course->fresh_height},
+          {"line_rate", course->line_rate},
+          {"height_limit", course->height_limit},
+          {"life", json_of(course->life)},
+          {"verdict", course->verdict},
+          {"remarks", course->remarks}};
+}
+
 Json json_of(const MeasuredProfile& measured) {
   return {{"operating_hours", measured.operating_hours}, {"nodes", json_of(measured.nodes)}};
 }
@@ -160,16 +196,25 @@ std::string inside_script(const std::string& json) {
 }  // namespace
 
 std::string report_json(const ReportData& data) {
-  const Json json = {
-      {"case_name", data.case_name},       {"description", all(data.description)},
-      {"life", json_of(data.life)},        {"sector", json_of(data.sector)},
-      {"height_limit", data.height_limit}, {"plate_limit", data.plate_limit},
-      {"history", all(data.history)},      {"charges", all(measured_charges(data.history))},
-      {"profiles", all(data.profiles)},    {"loads", all(data.loads)},
-      {"energy_edges", data.energy_edges}, {"impacts", all(data.impacts)},
-      {"power", all(data.power)},          {"conservation", all(data.conservation)},
-      {"measured", all(data.measured)},    {"measured_profiles", all(data.measured_profiles)},
-      {"warnings", data.warnings},         {"provenance", all(data.provenance)}};
+  const Json json = {{"case_name", data.case_name},
+                     {"description", all(data.description)},
+                     {"life", json_of(data.life)},
+                     {"sector", json_of(data.sector)},
+                     {"height_limit", data.height_limit},
+                     {"plate_limit", data.plate_limit},
+                     {"history", all(data.history)},
+                     {"charges", all(measured_charges(data.history))},
+                     {"profiles", all(data.profiles)},
+                     {"loads", all(data.loads)},
+                     {"energy_edges", data.energy_edges},
+                     {"impacts", all(data.impacts)},
+                     {"power", all(data.power)},
+                     {"conservation", all(data.conservation)},
+                     {"measured", all(data.measured)},
+                     {"measured_profiles", all(data.measured_profiles)},
+                     {"calibrated", json_of(data.calibrated)},
+                     {"warnings", data.warnings},
+                     {"provenance", all(data.provenance)}};
   return inside_script(json.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 

@@ -103,6 +103,16 @@ TEST(Defaults, MostRevolutionsAreFourTimesTheLeast) {
   EXPECT_FALSE(read_case(folder / "defaults_only.toml").dem.error_target);
 }
 
+// A finished campaign goes on being the case's when its owner says how to hold it against a gauge.
+TEST(Gauge, IsNoPartOfWhatIsSimulated) {
+  const auto folder = fs::path(MILLWEAR_CONFIG_TESTS) / "valid";
+  const Case with = read_case(folder / "gauge.toml");
+  EXPECT_EQ(with.gauge.calibrate_until, 5112.0);
+  const Case without = read_case(folder / "defaults_only.toml");
+  EXPECT_FALSE(without.gauge.calibrate_until);
+  EXPECT_EQ(locked_case_text(with), locked_case_text(without));
+}
+
 TEST(Manual, IsTheOneInDocs) {
   std::ifstream stream(fs::path(MILLWEAR_DOCS) / "case_file.md");
   const std::string text{std::istreambuf_iterator<char>(stream), {}};

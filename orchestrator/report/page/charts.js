@@ -101,6 +101,12 @@ function drawErrors(svg, points, colour, x, y) {
       y2: (p) => y(p.y + p.error)}).style("stroke", colour);
 }
 
+/** Between `y` and `top` of its points. */
+function drawBetween(svg, points, colour, x, y) {
+  svg.append("path").datum(points).style({fill: colour, stroke: "none"})
+    .attr("d", d3.svg.area().x((p) => x(p.x)).y0((p) => y(p.y)).y1((p) => y(p.top)));
+}
+
 function drawSeries(svg, series, x, y) {
   const points = series.points.filter((point) => known(point.x) && known(point.y));
   if (series.style === "dots") {
@@ -109,6 +115,7 @@ function drawSeries(svg, series, x, y) {
       .attr({cx: (p) => x(p.x), cy: (p) => y(p.y), r: 4.5, fill: "#fff", stroke: series.colour, "stroke-width": 2});
     return;
   }
+  if (series.style === "block") { drawBetween(svg, points, series.colour, x, y); return; }
   svg.append("path").datum(series.points).attr("class", "series " + (series.style || ""))
     .style("stroke", series.colour)
     .attr("d", d3.svg.line().defined((p) => known(p.x) && known(p.y)).x((p) => x(p.x)).y((p) => y(p.y)));
@@ -144,7 +151,7 @@ function follow(svg, frame, x, y, spec) {
 
 /**
  * A chart of lines and points. spec: name, x and value (axis labels), series [{name, colour, style, marks,
- * points: [{x, y, error}]}], rules [{y, text}], zero (y from 0), span (x from, to), place(x), text(point); or log (both
+ * points: [{x, y, error}]}] (in the style "block" [{x, y, top}]: what lies between is filled), rules [{y, text}], zero (y from 0), span (x from, to), place(x), text(point); or log (both
  * axes logarithmic, all values above 0) and xText(x).
  */
 function lineChart(container, spec) {
@@ -159,7 +166,7 @@ function lineChart(container, spec) {
     const scale = spec.log ? d3.scale.log : d3.scale.linear;
     const x = scale().domain(spec.span || d3.extent(all, (p) => p.x)).range([frame.left, frame.right]);
     const floor = spec.zero && d3.min(all, (p) => p.y) >= 0 ? 0 : -Infinity;
-    const reach = d3.extent(d3.merge([all.map((p) => p.y + (p.error || 0)),
+    const reach = d3.extent(d3.merge([all.map((p) => known(p.top) ? p.top : p.y + (p.error || 0)),
       all.map((p) => Math.max(floor, p.y - (p.error || 0))), (spec.rules || []).map((rule) => rule.y)]));
     const y = scale().domain(spec.log ? wholeDecades(reach) : padded(reach, spec.zero)).range([frame.bottom, frame.top]);
     axes(svg, frame, x, y, {x: spec.x, value: spec.value, y: frame.bottom + strip + 38, log: spec.log, xText: spec.xText});

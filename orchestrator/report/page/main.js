@@ -39,6 +39,7 @@ fillWarnings();
 drawProfilesOverTime(at("profiles-over-time"));
 drawHeight(at("height-chart"));
 drawWornShare(at("worn-chart"));
+startCalibrated();
 drawPower(at("power-chart"));
 drawPowerSeries(at("power-series-chart"));
 drawAngle(at("shoulder-chart"), "Shoulder", "shoulder", "shoulder_error");

@@ -47,6 +47,22 @@ TEST(CommandLine, KnowsEveryVerb) {
     EXPECT_EQ(answer_to({name, "case.toml"}).parsed.command->verb, verb) << name;
 }
 
+TEST(CommandLine, TakesEveryOptionOfCompare) {
+  const auto parsed =
+      answer_to({"compare", "case.toml", "--calibrate-until", "5112", "--gauge-on", "plate",
+                 "--plot", "course.png", "--csv", "course.csv", "--readings", "there"})
+          .parsed;
+  ASSERT_TRUE(parsed.command);
+  EXPECT_EQ(parsed.command->calibrate_until, 5112.0);
+  EXPECT_EQ(parsed.command->gauge_on, GaugeOn::plate);
+  EXPECT_EQ(parsed.command->plot, "course.png");
+  EXPECT_EQ(parsed.command->csv, "course.csv");
+  EXPECT_EQ(parsed.command->readings, "there");
+  EXPECT_FALSE(answer_to({"compare", "case.toml"}).parsed.command->calibrate_until);
+  EXPECT_EQ(answer_to({"compare", "case.toml", "--calibrate-until", "-1"}).parsed.exit_code, 2);
+  EXPECT_EQ(answer_to({"compare", "case.toml", "--gauge-on", "shell"}).parsed.exit_code, 2);
+}
+
 TEST(CommandLine, TakesEveryOptionOfImport) {
   const auto parsed = answer_to({"import", "case.toml",  "scan.dxf",    "--hours",    "5112",
                                  "--unit", "mm",         "--layer",     "LINER",      "--align",

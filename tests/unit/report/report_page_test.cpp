@@ -92,6 +92,37 @@ TEST_F(ReportPage, DrawsMeasuredProfilesBesideThePredicted) {
             1u + campaign.history.size());
 }
 
+// Three predicted moments with a band, the line, and readings that are held out or not.
+TEST_F(ReportPage, DrawsTheCalibratedPredictionWhereThereIsOne) {
+  auto campaign = synthetic_campaign(3, 2);
+  EXPECT_EQ(drawn(report_html(campaign), folder).find("<h2>Against the gauge</h2>"),
+            std::string::npos);
+  CalibratedCourse course{};
+  course.until = 5112.0;
+  course.factor = {0.9, {0.85, 0.95}};
+  course.fresh_height = 0.215;
+  course.line_rate = 2.5e-5;
+  course.curve = {{0.0, {0.215, {0.215, 0.215}}},
+                  {5112.0, {0.088, {0.084, 0.092}}},
+                  {7000.0, {0.032, {0.026, 0.038}}}};
+  course.readings = {
+      {5112.0, CourseUse::calibrated, 0.088, 0.002, course.curve[1].height, 0.0872, {}, {}},
+      {7152.0, CourseUse::held_out, 0.030, 0.002, {}, 0.0362, {}, {}}};
+  course.verdict = "Nothing to judge by.";
+  course.remarks = {"1 reading is after the last liner"};
+  campaign.calibrated = course;
+  const auto page = drawn(report_html(campaign), folder);
+  const auto chart = part_between(page, "id=\"calibrated-chart\"", "</svg>");
+  EXPECT_EQ(count_of(chart, "class=\"series"), 2u);
+  EXPECT_EQ(count_of(chart, "fill: rgb(174, 191, 208)"), 1u);
+  EXPECT_EQ(count_of(chart, "<circle"), 2u);
+  const auto table = part_between(page, "id=\"calibrated-table\"", "</section>");
+  EXPECT_EQ(count_of(table, "<tr"), 3u);
+  EXPECT_NE(table.find("84.0 to 92.0"), std::string::npos);
+  EXPECT_NE(table.find("1 reading is after the last liner"), std::string::npos);
+  EXPECT_NE(page.find("Nothing to judge by."), std::string::npos);
+}
+
 // A campaign before its first result: the page still says what it is and draws nothing.
 TEST_F(ReportPage, OfAnEmptyCampaignSaysSo) {
   auto campaign = synthetic_campaign(0, 1);

@@ -16,13 +16,6 @@ Eigen::Vector3d vector_at(std::span<const double> row, std::size_t column) {
   return {row[column], row[column + 1], row[column + 2]};
 }
 
-std::vector<double> friction_against_liner(const Case& mill) {
-  std::vector<double> friction;
-  for (const auto& kind : mill.charge.classes)
-    friction.push_back(pair_of(mill, kind.material, mill.liner_material).sliding_friction);
-  return friction;
-}
-
 }  // namespace
 
 ContactJoin::ContactJoin(const Case& mill, const StretchSteps& steps, Take take, Take begin)
@@ -125,7 +118,9 @@ WallContact ContactJoin::contact_from(std::span<const double> row, long step) co
   const Eigen::Vector3d velocity = particle.velocity - wall_velocity;
   const ContactMotion motion = contact_motion(arm, particle.radius, velocity, particle.spin);
   const double force = -vector_at(row, 5).dot(motion.into_wall);
-  const double slip = motion.slip.norm();
+  const double friction = friction_[particle.particle_class];
+  const bool slips = slides(vector_at(row, 8).norm(), force, friction);
+  const double slip = slips ? motion.slip.norm() : 0.0;
   return {.point = point,
           .into_wall = motion.into_wall,
           .normal_force = force,
@@ -133,7 +128,7 @@ WallContact ContactJoin::contact_from(std::span<const double> row, long step) co
           .normal_speed = motion.normal_speed,
           .impact_speed = motion.impact_speed,
           .impact_normal_speed = motion.normal_speed,
-          .shear_power = friction_[particle.particle_class] * std::abs(force) * slip,
+          .shear_power = friction * std::abs(force) * slip,
           .finnie_power = finnie_power(velocity, arm, motion.into_wall, std::abs(force)),
           .particle_class = particle.particle_class,
           .particle = static_cast<std::size_t>(row[4]),

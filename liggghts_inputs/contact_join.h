@@ -11,14 +11,15 @@
 
 namespace millwear::liggghts {
 
-inline constexpr std::size_t contact_columns = 8;  ///< of `dump contacts` in templates/measure.in
+inline constexpr std::size_t contact_columns = 11;  ///< of `dump contacts` in templates/measure.in
 inline constexpr std::size_t spin_columns = 12;    ///< of `dump spins`
 
 /// Joins the two dumps of a measuring deck, wall contacts and particles near the wall, step by
 /// step. LIGGGHTS's wall contacts carry no spin; with it the slip velocity of the surfaces is
 ///     v_slip = v + omega x (contact - centre) - Omega x contact,   less its normal part.
-/// The dumps tell no tangential force that could be trusted, so two measures are bounds here: the
-/// shear power is that of a contact that slides, mu Fn |v_slip|, and Finnie's force is Fn alone.
+/// The dumped tangential force is right while a contact holds and too large while it slides, so it
+/// tells which of the two it is and no more: the shear power is that of a contact that slides,
+/// mu Fn |v_slip|, or none, and Finnie's force is Fn alone.
 /// Holds the snapshots of one dump that the other has not reached yet.
 class ContactJoin {
  public:

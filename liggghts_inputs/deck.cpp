@@ -88,7 +88,8 @@ std::string contact_model_deck(const Case& mill, const StretchSteps& steps,
   const bool cdt = mill.dem.rolling_friction == RollingFriction::cdt;
   return filled_template(
       contact_model_template,
-      {{"modulus_reduction", number(mill.dem.modulus_reduction)},
+      {{"modulus_reductions",
+        by_material(mill, [&](std::size_t m) { return modulus_reduction(mill, m); })},
        {"material_names", fmt::format("{}", fmt::join(names, " "))},
        {"material_count", fmt::format("{}", mill.materials.size())},
        {"youngs_moduli", by_material(mill, youngs_modulus)},

@@ -33,6 +33,13 @@ const MaterialPair& pair_of(const Case& mill, std::size_t a, std::size_t b) {
   return *found;
 }
 
+std::vector<double> friction_against_liner(const Case& mill) {
+  std::vector<double> friction;
+  for (const auto& kind : mill.charge.classes)
+    friction.push_back(pair_of(mill, kind.material, mill.liner_material).sliding_friction);
+  return friction;
+}
+
 ChargeTotals totals(const Case& mill) {
   ChargeTotals sum{0, 0.0, 0.0};
   for (const ParticleClass& c : mill.charge.classes) {
@@ -63,8 +70,12 @@ double critical_speed(const LinerSector& sector, double largest) {
   return std::sqrt(gravity / (sector.plate_radius - 0.5 * largest));
 }
 
+double modulus_reduction(const Case& mill, std::size_t material) {
+  return mill.materials.at(material).modulus_reduction.value_or(mill.dem.modulus_reduction);
+}
+
 double softened_shear_modulus(const Case& mill, std::size_t material) {
-  return mill.materials.at(material).shear_modulus / mill.dem.modulus_reduction;
+  return mill.materials.at(material).shear_modulus / modulus_reduction(mill, material);
 }
 
 double largest_diameter(const Case& mill) {

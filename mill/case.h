@@ -20,6 +20,7 @@ struct Material {
   double density;
   double shear_modulus;
   double poisson_ratio;
+  std::optional<double> modulus_reduction{};  ///< in place of the DEM's for all
 };
 
 /// How two materials touch: coefficients of sliding and rolling friction and of restitution.
@@ -151,6 +152,9 @@ struct Case {
 /// The pair of two materials, in either order. Throws InputError if no pair covers them.
 [[nodiscard]] const MaterialPair& pair_of(const Case& mill, std::size_t a, std::size_t b);
 
+/// Sliding friction of every particle class against the liner [-].
+[[nodiscard]] std::vector<double> friction_against_liner(const Case& mill);
+
 [[nodiscard]] ChargeTotals totals(const Case& mill);
 
 /// Inside volume of the simulated slice with its liner as new [m3].
@@ -165,6 +169,9 @@ struct Case {
 
 /// The speed omega_c [rad/s] at which a particle of diameter `largest` [m] would centrifuge.
 [[nodiscard]] double critical_speed(const LinerSector& sector, double largest);
+
+/// What a material's modulus is divided by, for a longer time step.
+[[nodiscard]] double modulus_reduction(const Case& mill, std::size_t material);
 
 /// Shear modulus as it enters the DEM [Pa].
 [[nodiscard]] double softened_shear_modulus(const Case& mill, std::size_t material);

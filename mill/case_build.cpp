@@ -52,7 +52,8 @@ std::vector<Material> build_materials(const CaseDocument& document, CaseProblems
   std::vector<Material> materials;
   for (const CaseTable* table : document.all("materials")) {
     Material material{text_value(*table, "name"), real_value(*table, "density_kg_per_m3"),
-                      real_value(*table, "shear_modulus_pa"), real_value(*table, "poisson_ratio")};
+                      real_value(*table, "shear_modulus_pa"), real_value(*table, "poisson_ratio"),
+                      optional_real(*table, "modulus_reduction")};
     if (std::any_of(materials.begin(), materials.end(),
                     [&](const Material& m) { return m.name == material.name; })) {
       problems.add(table->find("name")->line,

@@ -122,12 +122,13 @@ void check_materials(const Case& mill, const CaseDocument& document, CaseProblem
     const double young = 2.0 * softened_shear_modulus(mill, i) * (1.0 + material.poisson_ratio);
     if (young < least_young_modulus) {
       problems.add(
-          document.line_of("dem", "modulus_reduction"),
+          material.modulus_reduction ? tables[i]->line
+                                     : document.line_of("dem", "modulus_reduction"),
           fmt::format("material `{}` is too soft for LIGGGHTS (Young's modulus {:.3g} Pa "
                       "after `modulus_reduction` = {:.4g}, {:.3g} Pa at least); lower "
                       "`modulus_reduction` to {:.3g} or less",
-                      material.name, young, mill.dem.modulus_reduction, least_young_modulus,
-                      mill.dem.modulus_reduction * young / least_young_modulus));
+                      material.name, young, modulus_reduction(mill, i), least_young_modulus,
+                      modulus_reduction(mill, i) * young / least_young_modulus));
     }
   }
 }

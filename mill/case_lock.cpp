@@ -65,6 +65,7 @@ void write_materials(const Case& mill, LockWriter& lock) {
     lock.key("density_kg_per_m3", material.density);
     lock.key("shear_modulus_pa", material.shear_modulus);
     lock.key("poisson_ratio", material.poisson_ratio);
+    lock.key_if("modulus_reduction", material.modulus_reduction);
   }
   for (const MaterialPair& pair : mill.pairs) {
     lock.table("[[pairs]]");

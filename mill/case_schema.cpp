@@ -89,6 +89,8 @@ constexpr KeySpec keys[] = {
      "shear modulus as measured, before `modulus_reduction` [Pa]"},
     {"materials", "poisson_ratio", real, required, "", between(0.0, 0.499), "",
      "Poisson's ratio [-]"},
+    {"materials", "modulus_reduction", real, optional, "", at_least(1.0), "",
+     "this material's modulus is divided by this, in place of `modulus_reduction` of `[dem]` [-]"},
 
     {"pairs", "materials", names, required, "", any, "", "the names of the two materials"},
     {"pairs", "sliding_friction", real, required, "", between(0.0, 10.0), "",

@@ -15,6 +15,11 @@ ContactMotion contact_motion(const Eigen::Vector3d& arm, double radius,
   return {into_wall, closing, surface - closing * into_wall, velocity.norm()};
 }
 
+bool slides(double tangential_force, double normal_force, double friction) {
+  constexpr double rounding = 1e-6;
+  return tangential_force >= (1.0 - rounding) * friction * std::abs(normal_force);
+}
+
 double finnie_power(const Eigen::Vector3d& velocity, const Eigen::Vector3d& arm,
                     const Eigen::Vector3d& wall_normal, double force) {
   constexpr double least_speed = 1e-7;

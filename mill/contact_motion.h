@@ -20,6 +20,11 @@ struct ContactMotion {
                                            const Eigen::Vector3d& velocity,
                                            const Eigen::Vector3d& spin);
 
+/// Whether the surfaces of a contact slide: its tangential force [N] is all that friction allows,
+/// mu |Fn|. Below that they hold, and what moves along the wall is the spring between them, which
+/// gives its work back. LIGGGHTS cuts the force to mu |Fn| exactly.
+[[nodiscard]] bool slides(double tangential_force, double normal_force, double friction);
+
 /// Finnie's erosion as LIGGGHTS integrates it over a contact [W]: 2 f(a) |v| |F| while the centre
 /// approaches (v . arm >= 0), 0 while it leaves, where sin(a) = |v . n| / |v| and
 ///     f(a) = sin(2 a) - 3 sin(a)^2   for tan(a) <= 1/3,   cos(a)^2 / 3   above.

@@ -185,6 +185,13 @@ std::string spoken_rotation(const Case& mill) {
                        : fmt::format("reversed at {} operating hours", fmt::join(hours, ", "));
 }
 
+std::string spoken_reductions(const Case& mill) {
+  std::vector<std::string> spoken;
+  for (std::size_t m = 0; m < mill.materials.size(); ++m)
+    spoken.push_back(fmt::format("{:g} ({})", modulus_reduction(mill, m), mill.materials[m].name));
+  return fmt::format("{}", fmt::join(spoken, ", "));
+}
+
 std::vector<LabelledValue> description_of(const Case& mill) {
   const auto& sector = mill.liner.sector;
   const double degree = std::numbers::pi / 180.0;
@@ -201,9 +208,9 @@ std::vector<LabelledValue> description_of(const Case& mill) {
            fmt::format("{:.0f} mm high, leading face {:.0f}° off upright",
                        1e3 * lifter_height(mill.liner), leading_face_angle(mill.liner) / degree)},
           {"Wear law", spoken(mill.wear.mechanisms, mill.materials)},
-          {"DEM", fmt::format("time step {:.3g} s, {} steps a revolution, moduli divided by {:g}",
+          {"DEM", fmt::format("time step {:.3g} s, {} steps a revolution, moduli divided by {}",
                               plan.time_step, plan.steps_per_revolution(sector.rows),
-                              mill.dem.modulus_reduction)}};
+                              spoken_reductions(mill))}};
 }
 
 }  // namespace

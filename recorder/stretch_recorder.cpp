@@ -76,6 +76,7 @@ StretchRecorder::StretchRecorder(LAMMPS& liggghts, const Case& mill, const Recor
       mill_(mill),
       plan_(plan),
       mesh_(the_mesh(liggghts)),
+      friction_against_liner_(friction_against_liner(mill)),
       load_({mill.liner.sector, read_profile_nodes(plan.liner)},
             measurement_of(mill, plan, liggghts.update->dt, triangles_of(mesh_)),
             [this](const wear::Collision& collision) {
@@ -132,17 +133,19 @@ WallContact StretchRecorder::contact_from(const WallTouch& touch) const {
       contact_motion(touch.arm, atom.radius[i], at(atom.v, i) - touch.wall, at(atom.omega, i));
   const double pushed = -touch.force.dot(motion.into_wall);
   const Vector3d tangential = touch.force + pushed * motion.into_wall;
+  const std::size_t kind = class_of_particle(i);
+  const bool slips = slides(tangential.norm(), pushed, friction_against_liner_[kind]);
   return {.point = at(atom.x, i) + touch.arm,
           .into_wall = motion.into_wall,
           .normal_force = pushed,
-          .slip_speed = motion.slip.norm(),
+          .slip_speed = slips ? motion.slip.norm() : 0.0,
           .normal_speed = motion.normal_speed,
           .impact_speed = touch.approach.norm(),
           .impact_normal_speed = touch.approach.dot(motion.into_wall),
           .shear_power = -tangential.dot(motion.slip),
           .finnie_power =
               finnie_power(touch.approach, touch.arm, touch.wall_normal, touch.force.norm()),
-          .particle_class = class_of_particle(i),
+          .particle_class = kind,
           .particle = static_cast<std::size_t>(atom.tag[i]),
           .triangle = static_cast<std::size_t>(touch.triangle)};
 }

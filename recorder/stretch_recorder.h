@@ -55,6 +55,7 @@ class StretchRecorder {
   Case mill_;
   RecordingPlan plan_;
   LAMMPS_NS::FixMeshSurface& mesh_;
+  std::vector<double> friction_against_liner_;  ///< by particle class
   std::optional<CollisionSpool> spool_;
   wear::LoadAccumulator load_;
   std::optional<wear::PairTracker> pairs_;

@@ -49,8 +49,9 @@ Sample sample_text(long step) {
     text.spins += " \n";
     if (i % 2 == 0)
       text.contacts +=
-          fmt::format("{:.9g} {:.9g} {:.9g} {} {} {:.7g} {:.7g} {:.7g} \n", x, y, -2.4 - radius,
-                      i % 728, i + 1, 5.0 * unit(random), 5.0 * unit(random), 90.0 + unit(random));
+          fmt::format("{:.9g} {:.9g} {:.9g} {} {} {:.7g} {:.7g} {:.7g} {:.7g} {:.7g} 0 \n", x, y,
+                      -2.4 - radius, i % 728, i + 1, 5.0 * unit(random), 5.0 * unit(random),
+                      90.0 + unit(random), 40.0 * unit(random), 40.0 * unit(random));
   }
   return text;
 }

@@ -29,13 +29,16 @@ struct Touch {
   Eigen::Vector3d spin = Eigen::Vector3d::Zero();
   Eigen::Vector3d point{0.0, 0.1, -0.5};
   Eigen::Vector3d force{0.0, 0.0, 12.0};
+  Eigen::Vector3d tangential_force{100.0, 0.0, 0.0};
 };
 
 Snapshot contacts_of(long step, const std::vector<Touch>& touches) {
   Snapshot snapshot{step, contact_columns, {}};
   for (const auto& t : touches)
     snapshot.values.insert(snapshot.values.end(), {t.point.x(), t.point.y(), t.point.z(), 5.0, t.id,
-                                                   t.force.x(), t.force.y(), t.force.z()});
+                                                   t.force.x(), t.force.y(), t.force.z(),
+                            t.tangential_force.x(), t.tangential_force.y(),
+                            t.tangential_force.z()});
   return snapshot;
 }
 

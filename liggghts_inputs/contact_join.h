@@ -12,7 +12,7 @@
 namespace millwear::liggghts {
 
 inline constexpr std::size_t contact_columns = 11;  ///< of `dump contacts` in templates/measure.in
-inline constexpr std::size_t spin_columns = 12;    ///< of `dump spins`
+inline constexpr std::size_t spin_columns = 12;     ///< of `dump spins`
 
 /// Joins the two dumps of a measuring deck, wall contacts and particles near the wall, step by
 /// step. LIGGGHTS's wall contacts carry no spin; with it the slip velocity of the surfaces is

@@ -134,6 +134,22 @@ TEST_F(RecordedSphere, DraggedDissipatesFrictionTimesDistance) {
   EXPECT_NEAR(recording.collisions.front().slip_distance, 0.2, 1e-3);
 }
 
+// Rocked by half of what friction can hold, 20 times: the spring between the surfaces moves to and
+// fro, and nothing slides.
+TEST_F(RecordedSphere, HeldByFrictionDoesNotSlide) {
+  const Case mill = square_mill();
+  const StretchSteps steps{2e-5, 0, 20000, 1};
+  const Recording recording =
+      record_sphere(mill, steps, resting(mill, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()),
+                    fmt::format("unfix integrate\nfix integrate all nve\n"
+                                "variable rock equal {:.9g}*sin(2.0*PI*50.0*step*2e-5)\n"
+                                "fix rock all addforce v_rock 0.0 0.0\n",
+                                0.5 * 0.3 * sphere_mass * gravity));
+  EXPECT_GT(sum(recording, Measure::samples), 19000.0);
+  EXPECT_GT(sum(recording, Measure::shear_dissipation), 0.0) << "the damping of the spring";
+  EXPECT_EQ(sum(recording, Measure::sliding_work), 0.0);
+}
+
 TEST_F(RecordedSphere, RollingDissipatesNothing) {
   const Case mill = square_mill();
   const StretchSteps steps{2e-5, 0, 20000, 1};

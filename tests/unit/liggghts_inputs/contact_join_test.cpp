@@ -35,10 +35,10 @@ struct Touch {
 Snapshot contacts_of(long step, const std::vector<Touch>& touches) {
   Snapshot snapshot{step, contact_columns, {}};
   for (const auto& t : touches)
-    snapshot.values.insert(snapshot.values.end(), {t.point.x(), t.point.y(), t.point.z(), 5.0, t.id,
-                                                   t.force.x(), t.force.y(), t.force.z(),
-                            t.tangential_force.x(), t.tangential_force.y(),
-                            t.tangential_force.z()});
+    snapshot.values.insert(
+        snapshot.values.end(),
+        {t.point.x(), t.point.y(), t.point.z(), 5.0, t.id, t.force.x(), t.force.y(), t.force.z(),
+         t.tangential_force.x(), t.tangential_force.y(), t.tangential_force.z()});
   return snapshot;
 }
 
@@ -68,6 +68,21 @@ WallContacts joined(const Case& mill, const std::vector<Touch>& touches, long st
 
 WallContact joined(const Touch& touch, double speed = 0.0) {
   return joined(mill_at(speed), {touch}).contacts.at(0);
+}
+
+// Friction gives up to mu 12 N here; with less tangential force the contact holds, and the motion
+// of its spring is no sliding.
+TEST(ContactJoin, AContactThatHoldsDoesNotSlide) {
+  Touch touch;
+  touch.velocity = {1.0, 0.0, 0.0};
+  const double most =
+      pair_of(example_case(), 0, example_case().liner_material).sliding_friction * 12.0;
+  touch.tangential_force = {0.0, 1.001 * most, 0.0};
+  EXPECT_NEAR(joined(touch).slip_speed, 1.0, 1e-12);
+  EXPECT_NEAR(joined(touch).shear_power, most, 1e-12);
+  touch.tangential_force = {0.0, 0.999 * most, 0.0};
+  EXPECT_EQ(joined(touch).slip_speed, 0.0);
+  EXPECT_EQ(joined(touch).shear_power, 0.0);
 }
 
 TEST(ContactJoin, GivesTheSampleItsTimeAndTheMillItsAngle) {

@@ -93,5 +93,14 @@ TEST(Finnie, TakesTheWallsNormalEitherWay) {
             finnie_power(velocity, 0.05 * down, -down, 10.0));
 }
 
+// mu Fn = 3 N: all that friction gives. LIGGGHTS takes |Fn| also while damping pulls.
+TEST(ContactMotion, SlidesWhereFrictionGivesAllItCan) {
+  EXPECT_TRUE(slides(3.0, 10.0, 0.3));
+  EXPECT_TRUE(slides(3.0 * (1.0 - 1e-9), 10.0, 0.3)) << "rounding";
+  EXPECT_TRUE(slides(3.0, -10.0, 0.3));
+  EXPECT_FALSE(slides(2.99, 10.0, 0.3));
+  EXPECT_FALSE(slides(0.0, 10.0, 0.3));
+}
+
 }  // namespace
 }  // namespace millwear

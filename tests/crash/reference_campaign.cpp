@@ -136,8 +136,9 @@ void expect_resumes_to_the_same(const fs::path& campaign) {
   const Ended ended = millwear(run_into(campaign));
   EXPECT_EQ(ended.code, 0) << ended.err;
   const auto& reference = ReferenceCampaign::get();
-  for (const fs::path name : {"results/history.csv", "results/profiles.csv", "results/bins.h5",
-                              "results/spectra.csv", "cycle_002/dem/events.h5"})
+  for (const fs::path name :
+       {"results/history.csv", "results/profiles.csv", "results/replicates.csv", "results/bins.h5",
+        "results/spectra.csv", "cycle_002/dem/events.h5"})
     EXPECT_TRUE(text_of(campaign / name) == text_of(reference.path() / name))
         << name << " differs from the undisturbed campaign's";
   std::vector<StageName> stages;

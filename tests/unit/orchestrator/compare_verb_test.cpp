@@ -103,6 +103,14 @@ TEST_F(CompareVerb, CalibratesAlongTheResultsOfACampaign) {
   EXPECT_THAT(text_of(*with_files.csv), HasSubstr("\n300,held out,0.0245,0.001,0.025,0.02"));
 }
 
+TEST_F(CompareVerb, DrawsAPicture) {
+  keep_results(folder.path());
+  Command drawing = command();
+  drawing.plot = folder.path() / "course.png";
+  printed(drawing);
+  EXPECT_THAT(text_of(*drawing.plot), testing::StartsWith("\x89PNG"));
+}
+
 TEST_F(CompareVerb, ComparesAsRunWhereNothingSaysHowFarToCalibrate) {
   keep_results(folder.path());
   put_text(folder.path() / "profiles.csv", profiles_csv({}));

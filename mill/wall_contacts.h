@@ -5,6 +5,13 @@
 
 namespace millwear {
 
+/// What touches a particle besides the liner.
+enum class Company {
+  unknown,
+  none,    ///< its weight and the liner make all of the force on it
+  others,  ///< some other particle
+};
+
 /// One particle touching the liner at one instant. Velocities are of the particle against the
 /// moving wall at the end of the time step.
 struct WallContact {
@@ -22,6 +29,7 @@ struct WallContact {
   std::size_t particle_class;  ///< index into Charge::classes
   std::size_t particle;        ///< its number, from 1
   std::size_t triangle;        ///< order of the STL file
+  Company company = Company::unknown;
 };
 
 /// Every wall contact of one instant.

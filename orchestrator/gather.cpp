@@ -98,7 +98,15 @@ HistoryRow row_of(const Campaign& campaign, const LinerProfile& liner, const Mea
           measured.charge.toe_error,
           0.0,
           0.0,
-          0.0};
+          0.0,
+          measured.motion.airborne_share.value,
+          measured.motion.airborne_share.error,
+          measured.motion.bare_hit_power.value,
+          measured.motion.bare_hit_power.error,
+          measured.motion.dead_zone_share.value,
+          measured.motion.dead_zone_share.error,
+          measured.motion.between_locked_share.value,
+          measured.motion.between_locked_share.error};
 }
 
 /// The power of a cycle by blocks of its measurement.

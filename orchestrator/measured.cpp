@@ -14,7 +14,7 @@
 namespace millwear::orchestrator {
 namespace {
 
-constexpr int measured_version = 2;
+constexpr int measured_version = 3;
 constexpr int steps_version = 1;
 using nlohmann::json;
 
@@ -29,6 +29,37 @@ json optional_number(const std::optional<double>& value) {
 }
 std::optional<double> optional_from(const json& value) {
   return value.is_null() ? std::nullopt : std::optional(value.get<double>());
+}
+
+json json_of(const wear::Estimate& estimate) {
+  return {{"value", number(estimate.value)}, {"se", number(estimate.error)}};
+}
+wear::Estimate estimate_from(const json& value) {
+  return {number_from(value.at("value")), number_from(value.at("se"))};
+}
+
+json json_of(const wear::MotionMeasures& motion, double mill_power) {
+  const auto& hits = motion.bare_hit_power;
+  return {{"airborne_share", json_of(motion.airborne_share)},
+          {"dead_zone_share", json_of(motion.dead_zone_share)},
+          {"between_lifters_locked_share", json_of(motion.between_locked_share)},
+          {"packed_share", json_of(motion.packed_share)},
+          {"bare_hit_mass_share_per_revolution", json_of(motion.bare_hit_mass_share)},
+          {"bare_hit_power_w", json_of(motion.bare_hit_power)},
+          {"bare_hit_power_share", json_of({hits.value / mill_power, hits.error / mill_power})},
+          {"bare_hit_falling_side_power_w", json_of(motion.bare_hit_falling_power)},
+          {"bare_hit_plate_power_w", json_of(motion.bare_hit_plate_power)}};
+}
+wear::MotionMeasures motion_from(const json& document) {
+  const auto estimate = [&](const char* key) { return estimate_from(document.at(key)); };
+  return {.airborne_share = estimate("airborne_share"),
+          .dead_zone_share = estimate("dead_zone_share"),
+          .between_locked_share = estimate("between_lifters_locked_share"),
+          .packed_share = estimate("packed_share"),
+          .bare_hit_mass_share = estimate("bare_hit_mass_share_per_revolution"),
+          .bare_hit_power = estimate("bare_hit_power_w"),
+          .bare_hit_falling_power = estimate("bare_hit_falling_side_power_w"),
+          .bare_hit_plate_power = estimate("bare_hit_plate_power_w")};
 }
 
 json nodes_json(const LinerProfile& profile) {
@@ -119,6 +150,7 @@ void write_measured(const std::filesystem::path& file, const Measured& measured)
                          {"toe_rad_se", number(measured.charge.toe_error)},
                          {"shoulder_rad", number(measured.charge.shoulder)},
                          {"shoulder_rad_se", number(measured.charge.shoulder_error)},
+                         {"motion", json_of(measured.motion, measured.power)},
                          {"samples", measured.samples},
                          {"rejected_share", measured.rejected_share},
                          {"revolutions", measured.revolutions},
@@ -141,7 +173,8 @@ Measured read_measured(const std::filesystem::path& file) {
         document.at("rejected_share").get<double>(),
         document.at("revolutions").get<double>(),
         number_from(document.at("peak_relative_error")),
-        optional_from(document.at("target_relative_error"))};
+        optional_from(document.at("target_relative_error")),
+        motion_from(document.at("motion"))};
   });
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mill/liner_profile.h"
+#include "wear/charge_motion.h"
 #include "wear/charge_position.h"
 
 namespace millwear::orchestrator {
@@ -23,6 +24,7 @@ struct Measured {
   double peak_error;      ///< relative standard error of the smoothed rate of loss at its peaks;
                           ///< NaN where it is not known
   std::optional<double> target_error{};  ///< what `peak_error` was to come down to
+  wear::MotionMeasures motion = wear::unknown_motion();
 };
 
 /// Why a measurement ended where it did.

@@ -132,6 +132,9 @@ Measured measured_from(const Case& mill, const liggghts::StretchSteps& steps,
   measured.power = power.value;
   measured.power_error = power.error;
   measured.charge = wear::charge_position(record.angles);
+  if (record.motion)
+    measured.motion = wear::motion_measures(*record.motion,
+                                            {record.load.duration, mill.speed, totals(mill).mass});
   measured.samples = steps.samples();
   measured.rejected_share = wear::rejected_share(record.load);
   measured.revolutions = steps.measure_time() * mill.speed / (2.0 * std::numbers::pi);

@@ -53,6 +53,11 @@ wear::LinerRecord sum_over_ranks(wear::LinerRecord record, MPI_Comm ranks) {
   sum_to_first(record.angles.normal_force, ranks);
   sum_to_first(record.spectrum, ranks);
   sum_to_first(record.triangles, ranks);
+  if (record.motion)
+    for (auto* values :
+         {&record.motion->census, &record.motion->plate.mass, &record.motion->plate.energy,
+          &record.motion->lifter.mass, &record.motion->lifter.energy})
+      sum_to_first(*values, ranks);
   if (record.pairs) {
     sum_to_first(record.pairs->spectrum, ranks);
     sum_to_first(&record.pairs->normal_dissipation, 1, ranks);

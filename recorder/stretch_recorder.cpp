@@ -77,11 +77,13 @@ StretchRecorder::StretchRecorder(LAMMPS& liggghts, const Case& mill, const Recor
       plan_(plan),
       mesh_(the_mesh(liggghts)),
       friction_against_liner_(friction_against_liner(mill)),
-      load_({mill.liner.sector, read_profile_nodes(plan.liner)},
-            measurement_of(mill, plan, liggghts.update->dt, triangles_of(mesh_)),
+      liner_{mill.liner.sector, read_profile_nodes(plan.liner)},
+      load_(liner_, measurement_of(mill, plan, liggghts.update->dt, triangles_of(mesh_)),
             [this](const wear::Collision& collision) {
               if (spool_) spool_->add(collision);
             }),
+      turning_{mill.speed, mill.liner.sector.plate_radius, crest_radius(liner_)},
+      census_steps_(census_steps(mill, plan, liggghts.update->dt)),
       module_(
           liggghts, mesh_,
           [this](long step) {
@@ -96,6 +98,7 @@ StretchRecorder::StretchRecorder(LAMMPS& liggghts, const Case& mill, const Recor
   check_particles(liggghts, mill);
   if (plan.events) spool_.emplace(*plan.events, liggghts.comm->me);
   check_blocks(mill, plan);
+  load_.record_motion();
   hang_on(liggghts, mesh_, module_);
 }
 
@@ -126,7 +129,7 @@ std::size_t StretchRecorder::class_of_particle(int particle) const {
   return static_cast<std::size_t>(known) - 1;
 }
 
-WallContact StretchRecorder::contact_from(const WallTouch& touch) const {
+WallContact StretchRecorder::contact_from(const WallTouch& touch, Company company) const {
   const auto& atom = *liggghts_.atom;
   const int i = touch.particle;
   const ContactMotion motion =
@@ -147,7 +150,8 @@ WallContact StretchRecorder::contact_from(const WallTouch& touch) const {
               finnie_power(touch.approach, touch.arm, touch.wall_normal, touch.force.norm()),
           .particle_class = kind,
           .particle = static_cast<std::size_t>(atom.tag[i]),
-          .triangle = static_cast<std::size_t>(touch.triangle)};
+          .triangle = static_cast<std::size_t>(touch.triangle),
+          .company = company};
 }
 
 void StretchRecorder::check_that_it_turns(const WallTouch& touch) const {
@@ -193,13 +197,16 @@ void StretchRecorder::take_step(long step, const std::vector<WallTouch>& touches
   sample.time = dt * static_cast<double>(step - plan_.first_step);
   sample.mill_angle = mill_.speed * dt * static_cast<double>(step);
   sample.contacts.clear();
-  for (const auto& touch : touches) sample.contacts.push_back(contact_from(touch));
+  const auto& company = company_.of(liggghts_, touches);
+  for (std::size_t i = 0; i < touches.size(); ++i)
+    sample.contacts.push_back(contact_from(touches[i], company[i]));
   if (!seen_turning_ && !touches.empty()) check_that_it_turns(touches.front());
   seen_turning_ = seen_turning_ || !touches.empty();
   if (step == plan_.first_step) {
     begun_ = true;
     return load_.begin_with(sample);
   }
+  if (step % census_steps_ == 0) load_.add_census(sample.time, census_of(liggghts_, turning_));
   ++samples_;
   if (++waiting_count_ == waiting_.size()) sum_waiting();
 }
@@ -213,7 +220,7 @@ void StretchRecorder::take_standing(long step, const WallTouch& touch) {
   if (begun_ || step != plan_.first_step) return;
   const double dt = liggghts_.update->dt;
   standing_.mill_angle = mill_.speed * dt * static_cast<double>(step);
-  standing_.contacts.push_back(contact_from(touch));
+  standing_.contacts.push_back(contact_from(touch, Company::unknown));
 }
 
 /// A run that begins with the measurement has no step before it whose contacts could be seen.

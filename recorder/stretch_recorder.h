@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mill/case.h"
+#include "recorder/charge_census.h"
 #include "recorder/collision_spool.h"
 #include "recorder/going_on.h"
 #include "recorder/recording_plan.h"
@@ -44,7 +45,7 @@ class StretchRecorder {
   [[nodiscard]] NextPiece decide();
   void sum_waiting();
   void exchange_collisions(long step);
-  [[nodiscard]] WallContact contact_from(const WallTouch& touch) const;
+  [[nodiscard]] WallContact contact_from(const WallTouch& touch, Company company) const;
   [[nodiscard]] std::size_t class_of_particle(int particle) const;
   [[nodiscard]] bool left_this_rank(std::uint32_t particle) const;
   void check_that_it_turns(const WallTouch& touch) const;
@@ -57,7 +58,11 @@ class StretchRecorder {
   LAMMPS_NS::FixMeshSurface& mesh_;
   std::vector<double> friction_against_liner_;  ///< by particle class
   std::optional<CollisionSpool> spool_;
+  LinerProfile liner_;
   wear::LoadAccumulator load_;
+  wear::TurningMill turning_;
+  long census_steps_;  ///< between two censuses of the charge
+  CompanyFinder company_;
   std::optional<wear::PairTracker> pairs_;
   std::optional<wear::PairRecord> pair_record_;  ///< once their window is over
   std::optional<wear::MeasurementGoal> goal_;    ///< once the measurement has come to its end

@@ -107,10 +107,13 @@ ChargeAngles with_blocks(const ChargeAngles& angles, std::size_t block_count) {
   return longer;
 }
 
+Eigen::Index degree_around(double angle_from_six) {
+  return around(static_cast<Eigen::Index>(std::floor((angle_from_six / pi + 1.0) * 180.0)));
+}
+
 void add_contact(ChargeAngles& angles, double angle_from_six, double normal_force,
                  std::size_t block) {
-  const Eigen::Index degree =
-      around(static_cast<Eigen::Index>(std::floor((angle_from_six / pi + 1.0) * 180.0)));
+  const Eigen::Index degree = degree_around(angle_from_six);
   angles.contacts(degree, static_cast<Eigen::Index>(block)) += 1.0;
   angles.normal_force(degree, static_cast<Eigen::Index>(block)) += normal_force;
 }

@@ -18,6 +18,9 @@ struct ChargeAngles {
 /// The same with time blocks added at the end, in which nothing touched yet.
 [[nodiscard]] ChargeAngles with_blocks(const ChargeAngles& angles, std::size_t block_count);
 
+/// Row of the histogram of an angle from six o'clock [rad], -pi ... pi.
+[[nodiscard]] Eigen::Index degree_around(double angle_from_six);
+
 /// Counts one contact at an angle from six o'clock [rad], -pi ... pi, with its force [N].
 void add_contact(ChargeAngles& angles, double angle_from_six, double normal_force,
                  std::size_t block);

@@ -80,6 +80,7 @@ const std::vector<bool>& CollisionTracker::add(double time, SampleKind kind,
                                                std::span<const LinerPlace> places) {
   ++sample_;
   begins_.assign(contacts.size(), false);
+  arrives_.assign(contacts.size(), false);
   collision_of_.clear();
   unmatched_.clear();
   for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -87,11 +88,14 @@ const std::vector<bool>& CollisionTracker::add(double time, SampleKind kind,
       throw ResultRejected(fmt::format("a wall contact of particle {}; the charge has {}",
                                        contacts[i].particle, first_of_particle_.size() - 1));
     collision_of_.push_back(nearest_open(contacts[i]));
-    if (collision_of_.back() == none) unmatched_.push_back(i);
+    if (collision_of_.back() != none) continue;
+    unmatched_.push_back(i);
+    arrives_[i] = first_of_particle_[contacts[i].particle] == 0;
   }
   std::ranges::sort(unmatched_, {}, [&](std::size_t i) { return order_of(contacts[i]); });
   for (const std::size_t i : unmatched_) {
     collision_of_[i] = nearest_open(contacts[i]);
+    arrives_[i] = arrives_[i] && collision_of_[i] == none && kind == SampleKind::measured;
     if (collision_of_[i] != none) continue;
     collision_of_[i] = open_.size();
     begins_[i] = kind == SampleKind::measured;

@@ -53,6 +53,10 @@ class CollisionTracker {
   const std::vector<bool>& add(double time, SampleKind kind, std::span<const WallContact> contacts,
                                std::span<const LinerPlace> places);
 
+  /// For each contact of the latest sample whether a collision begins with it and the particle did
+  /// not touch the liner in the sample before.
+  [[nodiscard]] const std::vector<bool>& arrives() const { return arrives_; }
+
   /// Ends what is still open and flags it.
   void finish();
 
@@ -77,6 +81,7 @@ class CollisionTracker {
   std::int64_t sample_ = 0;
   std::vector<std::size_t> collision_of_;  ///< by contact of the sample
   std::vector<bool> begins_;               ///< by contact of the sample
+  std::vector<bool> arrives_;              ///< by contact of the sample
   std::vector<std::size_t> unmatched_;     ///< contacts that go on with no open collision
 };
 

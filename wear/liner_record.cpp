@@ -35,8 +35,9 @@ PairRecord sum_of(PairRecord sum, const PairRecord& more) {
 
 LinerRecord sum_of(const LinerRecord& first, const LinerRecord& second) {
   if (first.triangles.cols() != second.triangles.cols() ||
-      first.pairs.has_value() != second.pairs.has_value())
-    throw InputError("two records can be summed only on the same mesh and the same contacts");
+      first.pairs.has_value() != second.pairs.has_value() ||
+      first.motion.has_value() != second.motion.has_value())
+    throw InputError("two records can be summed only on the same mesh and of the same kinds");
   LinerRecord sum = first;
   sum.load = sum_of(first.load, second.load);
   sum.angles.contacts += second.angles.contacts;
@@ -44,6 +45,7 @@ LinerRecord sum_of(const LinerRecord& first, const LinerRecord& second) {
   add_spectrum(sum.spectrum, second.spectrum);
   sum.triangles += second.triangles;
   if (first.pairs) sum.pairs = sum_of(*first.pairs, *second.pairs);
+  if (first.motion) add_motion(*sum.motion, *second.motion);
   return sum;
 }
 

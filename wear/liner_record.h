@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "mill/wall_load.h"
+#include "wear/charge_motion.h"
 #include "wear/charge_position.h"
 #include "wear/impact_spectrum.h"
 #include "wear/measurement_goal.h"
@@ -26,6 +27,7 @@ struct LinerRecord {
   Eigen::MatrixXd triangles;  ///< measure_count x triangles of the mesh, in the order of the STL
   std::optional<PairRecord> pairs{};
   std::optional<MeasurementGoal> goal{};  ///< of a measurement that could go on
+  std::optional<ChargeMotion> motion{};   ///< where it was recorded
 };
 
 /// Sum of two records of the same measurement, e.g. of two ranks that saw different contacts.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "mill/failure.h"
 #include "mill/mill_frame.h"
@@ -85,7 +86,8 @@ LoadAccumulator::LoadAccumulator(const LinerProfile& profile, const LoadMeasurem
       record_(empty_record(sector_, measurement, index_.length())),
       ended_(std::move(ended)),
       tracker_(measurement.particles, measurement.sample_interval,
-               [this](const Collision& collision) { take_ended(collision); }) {
+               [this](const Collision& collision) { take_ended(collision); }),
+      plate_limit_(plate_limit_radius(profile, measurement.contact_limit)) {
   block_sums_.setZero(static_cast<Eigen::Index>(measure_count),
                       record_.load.bins() * static_cast<Eigen::Index>(record_.load.class_count));
 }
@@ -150,6 +152,7 @@ void LoadAccumulator::add(const WallContacts& sample) {
   if (block != block_) close_block();
   block_ = block;
   const auto& begun = follow(sample, CollisionTracker::SampleKind::measured);
+  if (record_.motion) add_bare_hits(sample, block);
   const double dt = measurement_.sample_interval;
   for (std::size_t i = 0; i < sample.contacts.size(); ++i) {
     const WallContact& contact = sample.contacts[i];
@@ -175,6 +178,37 @@ void LoadAccumulator::add(const WallContacts& sample) {
     const Eigen::Index cell = std::min(
         static_cast<Eigen::Index>(place.on_profile.arc_length * cells_per_metre_), cells - 1);
     block_sums_.col(static_cast<Eigen::Index>(contact.particle_class) * cells + cell) += amounts;
+  }
+}
+
+void LoadAccumulator::record_motion() {
+  record_.motion = no_charge_motion(measurement_.block_count);
+}
+
+void LoadAccumulator::add_census(double time, const Census& census) {
+  record_.motion->census.col(static_cast<Eigen::Index>(block_of(time))) += census.matrix();
+}
+
+/// One hit a particle, also where it meets plate and face at once: the one at the greater speed.
+void LoadAccumulator::add_bare_hits(const WallContacts& sample, std::size_t block) {
+  const auto& contacts = sample.contacts;
+  hits_.clear();
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    if (tracker_.arrives()[i] && contacts[i].company == Company::none &&
+        contacts[i].impact_normal_speed > bare_hit_speed)
+      hits_.push_back(i);
+  std::ranges::sort(hits_, {}, [&](std::size_t i) {
+    return std::tuple(contacts[i].particle, -contacts[i].impact_normal_speed, contacts[i].triangle);
+  });
+  const auto repeated =
+      std::ranges::unique(hits_, {}, [&](std::size_t i) { return contacts[i].particle; });
+  hits_.erase(repeated.begin(), repeated.end());
+  for (const std::size_t i : hits_) {
+    const double mass = measurement_.class_mass[contacts[i].particle_class];
+    const double radius = std::hypot(contacts[i].point.x(), contacts[i].point.z());
+    add_hit(radius > plate_limit_ ? record_.motion->plate : record_.motion->lifter,
+            places_[i].angle_from_six, mass,
+            0.5 * mass * contacts[i].impact_speed * contacts[i].impact_speed, block);
   }
 }
 
@@ -215,6 +249,7 @@ void LoadAccumulator::go_on_until(double duration) {
   record_.load = with_blocks(record_.load, measurement_.block_count);
   record_.load.duration = duration;
   record_.angles = with_blocks(record_.angles, measurement_.block_count);
+  if (record_.motion) record_.motion = with_blocks(*record_.motion, measurement_.block_count);
 }
 
 const WallLoad& LoadAccumulator::load_so_far() {

@@ -46,6 +46,13 @@ class LoadAccumulator {
   /// counts to the last block), an unknown particle class or a value that is not finite.
   void add(const WallContacts& sample);
 
+  /// The motion of the charge is recorded too: the hits on the bare liner from what `add` takes,
+  /// for which contacts have to know their company, and the census. Before the first `add`.
+  void record_motion();
+
+  /// Masses of the parts of the charge at one time [s] of the measurement.
+  void add_census(double time, const Census& census);
+
   /// The measurement goes on until `duration` [s] by further blocks of the same length; what comes
   /// then is the same as if it had been so long from the beginning. To be called before a sample
   /// beyond its former end. Throws InputError unless that makes a whole number of blocks, and more
@@ -75,6 +82,7 @@ class LoadAccumulator {
   const std::vector<bool>& follow(const WallContacts& sample, CollisionTracker::SampleKind kind);
   void check(const WallContact& contact, double time) const;
   void take_ended(const Collision& collision);
+  void add_bare_hits(const WallContacts& sample, std::size_t block);
   void close_block();
 
   LinerSector sector_;
@@ -87,6 +95,8 @@ class LoadAccumulator {
   CollisionTracker tracker_;
   std::vector<Place> places_;  ///< of the sample's contacts
   std::vector<LinerPlace> liner_places_;
+  double plate_limit_;             ///< radius from which a hit is one on the plate [m]
+  std::vector<std::size_t> hits_;  ///< contacts of the sample
   std::size_t block_ = 0;
   /// Sums of the current block, a column a cell and class: all measures of a contact lie together.
   Eigen::Array<double, static_cast<int>(measure_count), Eigen::Dynamic> block_sums_;

@@ -121,6 +121,24 @@ ImpactSpectrum spectrum_from(const Reader& reader, const Handle& group) {
   return spectrum;
 }
 
+ChargeMotion motion_from(const Reader& reader, const Handle& group, std::size_t blocks) {
+  ChargeMotion motion = no_charge_motion(blocks);
+  const auto take = [&](const std::string& name, auto into) {
+    const Eigen::MatrixXd found = reader.read_matrix(group.id(), name);
+    reader.check(found.rows() == into.rows() && found.cols() == into.cols() ? 0 : -1);
+    into = found;
+  };
+  for (std::size_t part = 0; part < charge_part_count; ++part)
+    take(fmt::format("{}_mass", charge_part_names[part]),
+         motion.census.row(static_cast<Eigen::Index>(part)).transpose());
+  using All = Eigen::Ref<Eigen::MatrixXd>;
+  take("plate_hit_mass", All(motion.plate.mass));
+  take("plate_hit_energy", All(motion.plate.energy));
+  take("lifter_hit_mass", All(motion.lifter.mass));
+  take("lifter_hit_energy", All(motion.lifter.energy));
+  return motion;
+}
+
 PairRecord pairs_from(const Reader& reader, const Handle& group) {
   return {reader.read_number(group.id(), "duration"), spectrum_from(reader, group),
           reader.read_number(group.id(), "normal_dissipation"),
@@ -142,6 +160,8 @@ LinerRecord read_record(const std::filesystem::path& path) {
   if (reader.has("triangles")) record.triangles = reader.read_matrix(reader.root(), "triangles");
   if (reader.has("particle_collisions"))
     record.pairs = pairs_from(reader, reader.group("particle_collisions"));
+  if (reader.has("charge_motion"))
+    record.motion = motion_from(reader, reader.group("charge_motion"), record.load.block_count);
   if (reader.has("goal")) {
     const Handle goal = reader.group("goal");
     record.goal = {reader.read_number(goal.id(), "target_relative_error"),

@@ -112,6 +112,16 @@ void write_into(const Writer& writer, const Handle& group, const ImpactSpectrum&
   writer.write_matrix(group.id(), "unfinished", "1", spectrum.unfinished);
 }
 
+void write_into(const Writer& writer, const Handle& group, const ChargeMotion& motion) {
+  for (std::size_t part = 0; part < charge_part_count; ++part)
+    writer.write_matrix(group.id(), fmt::format("{}_mass", charge_part_names[part]), "kg",
+                        motion.census.row(static_cast<Eigen::Index>(part)).transpose());
+  writer.write_matrix(group.id(), "plate_hit_mass", "kg", motion.plate.mass);
+  writer.write_matrix(group.id(), "plate_hit_energy", "J", motion.plate.energy);
+  writer.write_matrix(group.id(), "lifter_hit_mass", "kg", motion.lifter.mass);
+  writer.write_matrix(group.id(), "lifter_hit_energy", "J", motion.lifter.energy);
+}
+
 void write_into(const Writer& writer, hid_t group, const WallLoad& load) {
   const double rows = load.rows;
   const auto bins = static_cast<hsize_t>(load.bins());
@@ -148,6 +158,7 @@ void write_record(const std::filesystem::path& path, const LinerRecord& record) 
     writer.write_number(pairs, "rolling_dissipation", "J", record.pairs->rolling_dissipation);
     write_into(writer, pairs, record.pairs->spectrum);
   }
+  if (record.motion) write_into(writer, writer.new_group("charge_motion"), *record.motion);
   if (record.goal) {
     const Handle goal = writer.new_group("goal");
     writer.write_number(goal, "target_relative_error", "1", record.goal->target_error);

@@ -26,6 +26,14 @@ struct HistoryRow {
   double lifter_height_error;  ///< from the scatter of the loads up to here, see docs/physics.md
   double plate_thickness_error;
   double worn_volume_error;
+  double airborne_share;  ///< of the charge's mass, see wear/charge_motion.h [-]
+  double airborne_share_error;
+  double bare_hit_power;  ///< of hits on the bare liner from flight [W]
+  double bare_hit_power_error;
+  double dead_zone_share;  ///< of the ascending charge, what moves with the mill [-]
+  double dead_zone_share_error;
+  double between_locked_share;  ///< the same of what is between the lifters [-]
+  double between_locked_share_error;
 };
 
 /// The bytes of `history.csv`; the same rows always give the same bytes.

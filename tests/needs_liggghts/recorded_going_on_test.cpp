@@ -95,6 +95,9 @@ void expect_same(const Recording& a, const Recording& b) {
   EXPECT_TRUE(a.record.spectrum.shear_energy == b.record.spectrum.shear_energy);
   EXPECT_TRUE(a.record.spectrum.unfinished == b.record.spectrum.unfinished);
   EXPECT_TRUE(a.record.triangles == b.record.triangles);
+  EXPECT_TRUE(a.record.motion->census == b.record.motion->census);
+  EXPECT_TRUE(a.record.motion->plate.energy == b.record.motion->plate.energy);
+  EXPECT_TRUE(a.record.motion->lifter.mass == b.record.motion->lifter.mass);
 }
 
 // Where the target is out of reach it measures as long as it may, and then all that was recorded,
@@ -183,6 +186,11 @@ TEST_F(GoingOn, IsTheSameOnOneRankAndOnTwo) {
         << measure_names[m];
   }
   EXPECT_EQ(one.angles.contacts.sum(), two.angles.contacts.sum());
+  EXPECT_GT(one.motion->census.sum(), 0.0);
+  EXPECT_LE((one.motion->census - two.motion->census).cwiseAbs().maxCoeff(),
+            1e-6 * one.motion->census.maxCoeff());
+  EXPECT_NEAR(one.motion->lifter.energy.sum(), two.motion->lifter.energy.sum(),
+              1e-6 * one.motion->lifter.energy.sum());
 }
 
 }  // namespace

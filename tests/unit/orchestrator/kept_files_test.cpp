@@ -40,6 +40,13 @@ TEST_F(KeptFile, OfAMeasurementComesBackAsItWas) {
   measured.revolutions = 1.0 / 3.0;
   measured.peak_error = 0.046;
   measured.target_error = 0.05;
+  measured.motion.airborne_share = {0.1, 0.01};
+  measured.motion.dead_zone_share = {0.2, 0.02};
+  measured.motion.between_locked_share = {0.3, 0.03};
+  measured.motion.packed_share = {0.4, 0.04};
+  measured.motion.bare_hit_mass_share = {0.5, 0.05};
+  measured.motion.bare_hit_power = {0.6, 0.06};
+  measured.motion.bare_hit_falling_power = {0.7, 0.07};
   write_measured(file, measured);
   const Measured read = read_measured(file);
   EXPECT_EQ(read.power, measured.power);
@@ -55,6 +62,15 @@ TEST_F(KeptFile, OfAMeasurementComesBackAsItWas) {
   EXPECT_EQ(read.revolutions, 1.0 / 3.0);
   EXPECT_EQ(read.peak_error, 0.046);
   EXPECT_EQ(read.target_error, 0.05);
+  EXPECT_EQ(read.motion.airborne_share.value, 0.1);
+  EXPECT_EQ(read.motion.airborne_share.error, 0.01);
+  EXPECT_EQ(read.motion.dead_zone_share.value, 0.2);
+  EXPECT_EQ(read.motion.between_locked_share.value, 0.3);
+  EXPECT_EQ(read.motion.packed_share.value, 0.4);
+  EXPECT_EQ(read.motion.bare_hit_mass_share.value, 0.5);
+  EXPECT_EQ(read.motion.bare_hit_power.value, 0.6);
+  EXPECT_EQ(read.motion.bare_hit_falling_power.error, 0.07);
+  EXPECT_TRUE(std::isnan(read.motion.bare_hit_plate_power.value));
   measured.peak_error = std::nan("");
   measured.target_error.reset();
   write_measured(file, measured);
@@ -116,8 +132,8 @@ TEST_F(KeptFile, CutShortIsRefusedByName) {
 TEST_F(KeptFile, OfAnotherKindOrVersionIsRefusedByName) {
   write_cycle(file, {});
   EXPECT_THAT(refusal_of_measured(), AllOf(HasSubstr(file.string()), HasSubstr("not a millwear")));
-  put_text(file, R"({"type": "millwear measured", "format_version": 1})");
-  EXPECT_THAT(refusal_of_measured(), HasSubstr("version 2"));
+  put_text(file, R"({"type": "millwear measured", "format_version": 2})");
+  EXPECT_THAT(refusal_of_measured(), HasSubstr("version 3"));
 }
 
 TEST_F(KeptFile, ThatIsMissingOrCannotBeWrittenIsADiskError) {

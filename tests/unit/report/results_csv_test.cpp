@@ -49,7 +49,15 @@ HistoryRow example_row() {
           .toe_error = unknown,
           .lifter_height_error = 0.002,
           .plate_thickness_error = 0.0005,
-          .worn_volume_error = unknown};
+          .worn_volume_error = unknown,
+          .airborne_share = 0.125,
+          .airborne_share_error = 0.001,
+          .bare_hit_power = 2500.0,
+          .bare_hit_power_error = 30.5,
+          .dead_zone_share = 0.18,
+          .dead_zone_share_error = 0.02,
+          .between_locked_share = 0.75,
+          .between_locked_share_error = unknown};
 }
 
 template <class Read>
@@ -64,13 +72,15 @@ std::string refusal(Read read) {
 
 TEST_F(ResultsCsv, HistoryIsWrittenInTheUnitsOfItsColumns) {
   EXPECT_EQ(history_csv({example_row()}),
-            "# millwear history 2\n"
+            "# millwear history 3\n"
             "cycle,step,operating_hours,tonnes,lifter_height_m,face_angle_deg,plate_thickness_m,"
             "worn_volume_m3_per_m,worn_fraction,power_w,shoulder_deg,toe_deg,"
             "power_w_se,shoulder_deg_se,toe_deg_se,lifter_height_m_se,plate_thickness_m_se,"
-            "worn_volume_m3_per_m_se\n"
+            "worn_volume_m3_per_m_se,airborne_share,airborne_share_se,bare_hit_power_w,"
+            "bare_hit_power_w_se,dead_zone_share,dead_zone_share_se,"
+            "between_lifters_locked_share,between_lifters_locked_share_se\n"
             "3,2,0.3333333333333333,,0.215,12.5,0.0995,1e-07,0.1,161250,52,221.5,1400,0.7,,0.002,0."
-            "0005,\n");
+            "0005,,0.125,0.001,2500,30.5,0.18,0.02,0.75,\n");
 }
 
 TEST_F(ResultsCsv, HistoryReadsBackAsItWas) {
@@ -96,6 +106,14 @@ TEST_F(ResultsCsv, HistoryReadsBackAsItWas) {
   EXPECT_EQ(rows[0].lifter_height_error, wanted.lifter_height_error);
   EXPECT_EQ(rows[0].plate_thickness_error, wanted.plate_thickness_error);
   EXPECT_TRUE(std::isnan(rows[0].worn_volume_error));
+  EXPECT_EQ(rows[0].airborne_share, wanted.airborne_share);
+  EXPECT_EQ(rows[0].airborne_share_error, wanted.airborne_share_error);
+  EXPECT_EQ(rows[0].bare_hit_power, wanted.bare_hit_power);
+  EXPECT_EQ(rows[0].bare_hit_power_error, wanted.bare_hit_power_error);
+  EXPECT_EQ(rows[0].dead_zone_share, wanted.dead_zone_share);
+  EXPECT_EQ(rows[0].dead_zone_share_error, wanted.dead_zone_share_error);
+  EXPECT_EQ(rows[0].between_locked_share, wanted.between_locked_share);
+  EXPECT_TRUE(std::isnan(rows[0].between_locked_share_error));
 }
 
 TEST_F(ResultsCsv, ReadingAndWritingAgainChangesNoByte) {
@@ -130,7 +148,7 @@ TEST_F(ResultsCsv, ProfilesReadBackAsTheyWere) {
 
 TEST_F(ResultsCsv, AnotherVersionIsRefusedWithItsLine) {
   auto text = history_csv({example_row()});
-  text.replace(text.find(" 2\n"), 3, " 3\n");
+  text.replace(text.find(" 3\n"), 3, " 2\n");
   write(text);
   EXPECT_THAT(refusal([this] { (void)read_history_csv(file); }),
               AllOf(StartsWith(file.string() + ":1: "), HasSubstr("millwear history 2"),

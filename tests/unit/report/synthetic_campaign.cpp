@@ -118,7 +118,15 @@ HistoryRow history_at(double age, double charge_age, int cycle, int step, double
           .toe_error = 0.015,
           .lifter_height_error = 0.002 * age,
           .plate_thickness_error = 0.0006 * age,
-          .worn_volume_error = 0.0004 * age};
+          .worn_volume_error = 0.0004 * age,
+          .airborne_share = 0.14 - 0.05 * charge_age,
+          .airborne_share_error = 0.004,
+          .bare_hit_power = 9e3 - 8e3 * charge_age,
+          .bare_hit_power_error = 600.0,
+          .dead_zone_share = 0.25 - 0.18 * charge_age,
+          .dead_zone_share_error = 0.02,
+          .between_locked_share = 0.9 - 0.6 * charge_age,
+          .between_locked_share_error = 0.05};
 }
 
 double area_under(const Points& points) {

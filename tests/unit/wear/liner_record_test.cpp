@@ -29,6 +29,10 @@ LinerRecord record_of(double value) {
   record.spectrum = empty_spectrum(2);
   add_collision(record.spectrum, 1, value, value);
   record.triangles = Eigen::MatrixXd::Constant(measures, 4, value);
+  record.motion = no_charge_motion(3);
+  record.motion->census.setConstant(value);
+  add_hit(record.motion->plate, 0.2, value, value, 1);
+  add_hit(record.motion->lifter, 0.2, value, value, 2);
   record.pairs = PairRecord{0.5, empty_spectrum(3), value, 2.0 * value, 3.0 * value};
   return record;
 }
@@ -48,6 +52,11 @@ TEST(LinerRecord, RanksAddUp) {
   EXPECT_EQ(sum.pairs->normal_dissipation, 5.0);
   EXPECT_EQ(sum.pairs->shear_dissipation, 10.0);
   EXPECT_EQ(sum.pairs->rolling_dissipation, 15.0);
+  EXPECT_EQ(sum.motion->census, Eigen::MatrixXd::Constant(6, 3, 5.0));
+  EXPECT_EQ(sum.motion->plate.mass.col(1).sum(), 5.0);
+  EXPECT_EQ(sum.motion->plate.energy.sum(), 5.0);
+  EXPECT_EQ(sum.motion->lifter.mass.col(2).sum(), 5.0);
+  EXPECT_EQ(sum.motion->lifter.energy.sum(), 5.0);
   EXPECT_EQ(sum.load.duration, 2.0);
   EXPECT_EQ(sum.load.rows, 10);
 }
@@ -55,6 +64,7 @@ TEST(LinerRecord, RanksAddUp) {
 TEST(LinerRecord, RefusesToSumWhatDiffersInMoreThanItsValues) {
   const std::function<void(LinerRecord&)> changes[] = {
       [](LinerRecord& r) { r.load.rows = 11; },
+      [](LinerRecord& r) { r.motion.reset(); },
       [](LinerRecord& r) { r.load.duration = 3.0; },
       [](LinerRecord& r) { r.load.slice_length = 0.5; },
       [](LinerRecord& r) { r.load.bin_edges[1] = 0.2; },

@@ -112,6 +112,25 @@ TEST_F(LoadStore, ReadsBackHowWellTheMeasurementKnowsItsPeaks) {
   EXPECT_TRUE(std::isnan(read_record(file).goal->peak_error));
 }
 
+TEST_F(LoadStore, ReadsBackHowTheChargeMoved) {
+  LinerRecord written = sample_record(0.3);
+  write_record(file, written);
+  EXPECT_FALSE(read_record(file).motion);
+  written.motion = no_charge_motion(4);
+  written.motion->census = Eigen::MatrixXd::NullaryExpr(
+      6, 4, [](auto part, auto block) { return static_cast<double>(10 * part + block); });
+  add_hit(written.motion->plate, 0.2, 1.0, 2.0, 3);
+  add_hit(written.motion->lifter, -0.2, 3.0, 4.0, 1);
+  write_record(file, written);
+  const auto found = read_record(file).motion;
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->census, written.motion->census);
+  EXPECT_EQ(found->plate.mass, written.motion->plate.mass);
+  EXPECT_EQ(found->plate.energy, written.motion->plate.energy);
+  EXPECT_EQ(found->lifter.mass, written.motion->lifter.mass);
+  EXPECT_EQ(found->lifter.energy, written.motion->lifter.energy);
+}
+
 TEST_F(LoadStore, ReadsARecordWithoutParticleContacts) {
   LinerRecord written = sample_record(0.3);
   written.pairs.reset();
@@ -160,7 +179,7 @@ TEST_F(LoadStore, RefusesAnotherVersion) {
     static_cast<void>(read_load(file));
     FAIL() << "read a file of a newer version";
   } catch (const ResultRejected& refused) {
-    EXPECT_THAT(refused.what(), testing::HasSubstr("version 3"));
+    EXPECT_THAT(refused.what(), testing::HasSubstr("version 4"));
   }
 }
 

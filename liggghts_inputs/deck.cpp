@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <numbers>
 
 #include "deck_templates.h"
@@ -58,6 +59,11 @@ std::string dumps(const Case& mill, const StretchSteps& steps) {
                                           {"spins_file", file_names::spins}});
 }
 
+std::string liner_id(StretchKind kind, int cycle) {
+  constexpr std::array<std::string_view, 3> suffixes = {"_mix", "_trial", ""};
+  return fmt::format("liner_{:03}{}", cycle, suffixes[static_cast<std::size_t>(kind)]);
+}
+
 std::string measure_runs(const StretchSteps& steps) {
   if (steps.pair_steps == 0) return fmt::format("run           {}", steps.measure_steps);
   if (steps.pair_steps == steps.measure_steps)
@@ -102,7 +108,7 @@ std::string contact_model_deck(const Case& mill, const StretchSteps& steps,
         by_pair(mill, [](const MaterialPair& p) { return p.rolling_friction; })},
        {"rolling_friction_model", cdt ? "cdt" : "epsd2"},
        {"time_step_s", number(steps.time_step)},
-       {"liner_id", fmt::format("liner_{:03}{}", cycle, kind == StretchKind::mix ? "_mix" : "")},
+       {"liner_id", liner_id(kind, cycle)},
        {"stl_file", mesh.stl_file},
        {"liner_type", fmt::format("{}", mill.liner_material + 1)},
        {"period_s", number(2.0 * std::numbers::pi / mill.speed)}});
@@ -138,6 +144,18 @@ std::string measuring_deck(const Case& mill, const StretchSteps& steps, const Li
        {"measure_runs", measure_runs(steps)},
        {"restart_file", file_names::restart},
        {"sentinel", std::string(sentinel)}});
+}
+
+std::string trial_deck(const Case& mill, const TrialSteps& steps,
+                       const std::string& previous_restart) {
+  return filled_template(trial_template, {{"case_name", mill.name},
+                                          {"previous_restart_file", previous_restart},
+                                          {"skin_m", number(neighbour_skin(mill))},
+                                          {"contact_model_file", file_names::contact_model},
+                                          {"thermo_steps", fmt::format("{}", steps.total())},
+                                          {"warm_up_steps", fmt::format("{}", steps.warm_up)},
+                                          {"timed_steps", fmt::format("{}", steps.timed)},
+                                          {"sentinel", std::string(sentinel)}});
 }
 
 }  // namespace millwear::liggghts

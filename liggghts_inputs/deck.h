@@ -29,8 +29,9 @@ inline constexpr const char* torque = "torque.txt";
 [[nodiscard]] double neighbour_skin(const Case& mill);
 
 /// Which mesh stands in the mill: every cycle's mesh has an ID of its own (see
-/// templates/contact_model.in), and a mixing stretch's differs from the measuring one's.
-enum class StretchKind { mix, measure };
+/// templates/contact_model.in), and those of a mixing stretch and a trial differ from the
+/// measuring one's.
+enum class StretchKind { mix, trial, measure };
 
 /// Contact model, materials and liner, shared by both kinds of stretch.
 [[nodiscard]] std::string contact_model_deck(const Case& mill, const StretchSteps& steps,
@@ -45,5 +46,17 @@ enum class StretchKind { mix, measure };
 [[nodiscard]] std::string measuring_deck(const Case& mill, const StretchSteps& steps,
                                          const LinerProfile& worn,
                                          const std::string& previous_restart);
+
+/// The steps of one trial of LIGGGHTS's speed.
+struct TrialSteps {
+  long warm_up;
+  long timed;
+  [[nodiscard]] long total() const { return warm_up + timed; }
+};
+
+/// The deck of a trial of speed, with the case's `neighbour_skin`, from the charge that
+/// `previous_restart` holds. It leaves no restart file.
+[[nodiscard]] std::string trial_deck(const Case& mill, const TrialSteps& steps,
+                                     const std::string& previous_restart);
 
 }  // namespace millwear::liggghts

@@ -83,6 +83,7 @@ struct DemSettings {
                             ///< are recorded (recorder only)
   std::optional<double> time_step{};  ///< wanted [s], in place of the share of the Rayleigh time
   std::optional<ErrorTarget> error_target{};  ///< recorder only
+  bool tune = false;  ///< a campaign chooses its skin by a trial; then `skin` is not given
 };
 
 /// How the sampled load is smoothed along the profile. docs/physics.md has both.

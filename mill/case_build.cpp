@@ -125,7 +125,8 @@ DemSettings build_dem(const CaseDocument& document) {
           .keep_events = boolean_value(dem, "keep_events"),
           .pair_revolutions = real_value(dem, "pair_revolutions"),
           .time_step = optional_real(dem, "time_step_s"),
-          .error_target = build_error_target(dem)};
+          .error_target = build_error_target(dem),
+          .tune = boolean_value(dem, "tune")};
 }
 
 CampaignSettings build_campaign(const CaseDocument& document, CaseProblems& problems) {

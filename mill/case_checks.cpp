@@ -173,6 +173,14 @@ void check_error_target(const Case& mill, const CaseDocument& document, CaseProb
                              mill.wear.time_blocks, least_blocks_for_a_target));
 }
 
+void check_tuning(const Case& mill, const CaseDocument& document, CaseProblems& problems) {
+  if (mill.dem.tune && mill.dem.skin)
+    problems.add(document.line_of("dem", "skin_m"),
+                 fmt::format("`skin_m` = {:g} stands beside `tune = true`, which chooses the skin "
+                             "by a trial; give one of the two",
+                             *mill.dem.skin));
+}
+
 std::string spoken_classes(const Case& mill) {
   std::string text;
   for (const ParticleClass& kind : mill.charge.classes) {
@@ -228,6 +236,7 @@ void check_case(const Case& mill, const CaseDocument& document, CaseProblems& pr
   check_mechanisms(mill, document, problems);
   check_time_step(mill, document, problems);
   check_error_target(mill, document, problems);
+  check_tuning(mill, document, problems);
 }
 
 }  // namespace millwear

@@ -160,6 +160,9 @@ constexpr KeySpec keys[] = {
      "MPI ranks; 0 takes every core"},
     {"dem", "skin_m", real, optional, "", positive, "",
      "neighbour skin; a quarter of the mean radius where it is missing [m]"},
+    {"dem", "tune", boolean, defaulted, "false", any, "",
+     "`millwear run` chooses the neighbour skin by a short trial on the mixed charge; in place of "
+     "`skin_m`"},
     {"dem", "mesh_tolerance", real, defaulted, "0.03", above_up_to(0.0, 0.5), "",
      "mesh against profile, share of the least particle radius [-]"},
     {"dem", "seed", integer, defaulted, "1", between(1, 2147483647), "",

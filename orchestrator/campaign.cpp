@@ -5,7 +5,9 @@
 namespace millwear::orchestrator {
 namespace {
 
-std::vector<StageKind> stages_of(int cycle, const Ledger& ledger) {
+std::vector<StageKind> stages_of(int cycle, SkinChoice skin, const Ledger& ledger) {
+  if (cycle == 0 && skin == SkinChoice::by_trial)
+    return {StageKind::mesh, StageKind::mix, StageKind::tune, StageKind::dem, StageKind::wear};
   const LedgerEntry* const before = ledger.find({cycle - 1, StageKind::wear});
   if (cycle == 0 || (before != nullptr && before->outcome == Outcome::reversed))
     return {StageKind::mesh, StageKind::mix, StageKind::dem, StageKind::wear};
@@ -24,23 +26,27 @@ std::string reason_for(const StageId& stage, const Ledger& ledger) {
 
 }  // namespace
 
+CampaignPlan plan_of(const Case& mill) {
+  return {mill.campaign.cycle_limit, mill.dem.tune ? SkinChoice::by_trial : SkinChoice::by_case};
+}
+
 Outcome outcome_of(const Ledger& ledger) {
   const auto last = ledger.entries.empty() ? Outcome::go_on : ledger.entries.back().outcome;
   return last == Outcome::reversed ? Outcome::go_on : last;
 }
 
-std::optional<NextStage> next_stage(const Ledger& ledger, int cycle_limit) {
+std::optional<NextStage> next_stage(const Ledger& ledger, const CampaignPlan& plan) {
   if (outcome_of(ledger) != Outcome::go_on) return std::nullopt;
-  for (int cycle = 0; cycle < cycle_limit; ++cycle)
-    for (const StageKind kind : stages_of(cycle, ledger)) {
+  for (int cycle = 0; cycle < plan.cycle_limit; ++cycle)
+    for (const StageKind kind : stages_of(cycle, plan.skin, ledger)) {
       const StageId stage{cycle, kind};
       if (ledger.find(stage) == nullptr) return NextStage{stage, reason_for(stage, ledger)};
     }
   return std::nullopt;
 }
 
-Ledger run_campaign(Ledger ledger, int cycle_limit, const CampaignEffects& effects) {
-  while (const auto next = next_stage(ledger, cycle_limit)) {
+Ledger run_campaign(Ledger ledger, const CampaignPlan& plan, const CampaignEffects& effects) {
+  while (const auto next = next_stage(ledger, plan)) {
     const LedgerEntry entry = effects.run_stage(next->stage);
     effects.record(entry);
     ledger.entries.push_back(entry);

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "mill/case.h"
 #include "orchestrator/ledger.h"
 #include "orchestrator/stage.h"
 
@@ -14,11 +15,22 @@ struct NextStage {
   std::string why;
 };
 
+/// Whether a campaign chooses its neighbour skin by a trial.
+enum class SkinChoice { by_case, by_trial };
+
+/// What the case says of the order of stages.
+struct CampaignPlan {
+  int cycle_limit;
+  SkinChoice skin = SkinChoice::by_case;
+};
+
+[[nodiscard]] CampaignPlan plan_of(const Case& mill);
+
 /// The first stage of the campaign that the ledger does not have; std::nullopt once a cycle has
 /// reached a limit or `cycle_limit` cycles are done. Each cycle goes mesh, dem, wear, with mix
 /// before the first dem and before the first after a reversal: the mirrored steel may stand where
-/// the last charge lies.
-[[nodiscard]] std::optional<NextStage> next_stage(const Ledger& ledger, int cycle_limit);
+/// the last charge lies. A trial of skins comes once, after the first mix.
+[[nodiscard]] std::optional<NextStage> next_stage(const Ledger& ledger, const CampaignPlan& plan);
 
 /// How the campaign stands: the limit it ended at, or go_on.
 [[nodiscard]] Outcome outcome_of(const Ledger& ledger);
@@ -32,6 +44,6 @@ struct CampaignEffects {
 
 /// Runs stage after stage until there is none left; returns the finished ledger. Whatever an effect
 /// throws leaves every published stage in the ledger, and a later call goes on from there.
-Ledger run_campaign(Ledger ledger, int cycle_limit, const CampaignEffects& effects);
+Ledger run_campaign(Ledger ledger, const CampaignPlan& plan, const CampaignEffects& effects);
 
 }  // namespace millwear::orchestrator

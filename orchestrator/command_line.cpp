@@ -22,7 +22,7 @@ struct VerbText {
   const char* examples;
 };
 
-constexpr std::array<VerbText, 10> verbs = {{
+constexpr std::array<VerbText, 11> verbs = {{
     {Verb::check, "check",
      "Check a case file and print what would be simulated: counts, filling, time step, cost",
      "  millwear check cases/pilot_mill/case.toml\n"
@@ -61,11 +61,19 @@ constexpr std::array<VerbText, 10> verbs = {{
      "and loads that a campaign keeps, without any DEM",
      "  millwear calibrate cases/pilot_mill/case.toml   # reads cases/pilot_mill/gauge\n"
      "  millwear calibrate two_laws.toml --out runs/pilot_mill --readings measured --until 4000"},
+    {Verb::tune, "tune",
+     "Find the neighbour skin that LIGGGHTS is fastest with, by a short trial on the real charge",
+     "  millwear tune my_mill.toml                  # takes the mixed charge in runs/NAME, if any\n"
+     "  millwear tune my_mill.toml --out runs/try --ranks 2 --json"},
 }};
 
 void add_common_options(CLI::App& verb, Command& command) {
   verb.add_option("case", command.case_file, "The case file (docs/case_file.md)")->required();
-  if (verb.get_name() != "import")
+  if (verb.get_name() == "tune")
+    verb.add_option("--out", command.out,
+                    "Folder of a campaign whose mixed charge is taken if it has one; by default "
+                    "runs/NAME");
+  else if (verb.get_name() != "import")
     verb.add_option("--out", command.out, "Folder of the results; by default runs/NAME");
   verb.add_flag_callback(
       "--json", [&] { command.form = OutputForm::json; }, "Print results as JSON");
@@ -153,7 +161,7 @@ ParsedCommandLine parse_command_line(int argc, const char* const* argv) {
       verb->add_flag("--dry-run", command.dry_run, "Say which stages would run, and run none");
       verb->add_flag("--explain", command.explain, "Say why each stage runs");
     }
-    if (text.verb == Verb::run || text.verb == Verb::deck)
+    if (text.verb == Verb::run || text.verb == Verb::deck || text.verb == Verb::tune)
       verb->add_option("--ranks", command.ranks, "MPI ranks, instead of the case's")
           ->check(CLI::Range(1, most_ranks));
     if (text.verb == Verb::mesh || text.verb == Verb::deck)

@@ -10,7 +10,7 @@
 
 namespace millwear::orchestrator {
 
-enum class Verb { check, mesh, deck, run, status, report, wear, import, compare, calibrate };
+enum class Verb { check, mesh, deck, run, status, report, wear, import, compare, calibrate, tune };
 
 enum class OutputForm { text, json };
 

@@ -53,6 +53,8 @@ void carry_out(const Command& command) {
       return compare_verb(command);
     case Verb::calibrate:
       return calibrate_verb(command);
+    case Verb::tune:
+      return tune_verb(command);
   }
 }
 

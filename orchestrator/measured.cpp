@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "mill/failure.h"
+#include "orchestrator/versioned_json.h"
 #include "wear/measurement_goal.h"
 
 namespace millwear::orchestrator {
@@ -73,21 +74,6 @@ LinerProfile profile_from(const json& nodes, const LinerSector& sector) {
   for (const auto& node : nodes)
     profile.nodes.emplace_back(node.at(0).get<double>(), node.at(1).get<double>());
   return profile;
-}
-
-template <class Parse>
-auto parsed(const std::filesystem::path& file, std::string_view type, int version, Parse parse) {
-  try {
-    const json document = json::parse(read_file(file));
-    if (document.at("type").get<std::string>() != type ||
-        document.at("format_version").get<int>() != version)
-      throw ResultRejected(fmt::format("it is not a {} of version {}", type, version));
-    return parse(document);
-  } catch (const DiskError&) {
-    throw;
-  } catch (const std::exception& problem) {
-    throw ResultRejected(fmt::format("{}: {}", file.string(), problem.what()));
-  }
 }
 
 /// What a target that was missed would take.
@@ -161,7 +147,7 @@ void write_measured(const std::filesystem::path& file, const Measured& measured)
 }
 
 Measured read_measured(const std::filesystem::path& file) {
-  return parsed(file, "millwear measured", measured_version, [](const json& document) {
+  return read_versioned_json(file, "millwear measured", measured_version, [](const json& document) {
     return Measured{
         document.at("power_w").get<double>(),
         number_from(document.at("power_w_se")),
@@ -195,17 +181,18 @@ void write_cycle(const std::filesystem::path& file, const KeptCycle& cycle) {
 }
 
 KeptCycle read_cycle(const std::filesystem::path& file, const LinerSector& sector) {
-  return parsed(file, "millwear geometry steps", steps_version, [&](const json& document) {
-    KeptCycle cycle{document.at("smoothing_moved_share").get<double>(),
-                    document.at("worn_by_load_m2_per_s").get<double>(),
-                    {}};
-    for (const auto& step : document.at("steps"))
-      cycle.steps.push_back(
-          {step.at("duration_s").get<double>(), step.at("removed_area_m2").get<double>(),
-           step.at("accounted_area_m2").get<double>(), step.at("fallen_area_m2").get<double>(),
-           profile_from(step.at("nodes_m"), sector)});
-    return cycle;
-  });
+  return read_versioned_json(
+      file, "millwear geometry steps", steps_version, [&](const json& document) {
+        KeptCycle cycle{document.at("smoothing_moved_share").get<double>(),
+                        document.at("worn_by_load_m2_per_s").get<double>(),
+                        {}};
+        for (const auto& step : document.at("steps"))
+          cycle.steps.push_back(
+              {step.at("duration_s").get<double>(), step.at("removed_area_m2").get<double>(),
+               step.at("accounted_area_m2").get<double>(), step.at("fallen_area_m2").get<double>(),
+               profile_from(step.at("nodes_m"), sector)});
+        return cycle;
+      });
 }
 
 void write_file(const std::filesystem::path& file, std::string_view text) {

@@ -47,8 +47,10 @@ void mesh_verb(const Command& command) {
 
 void deck_verb(const Command& command) {
   const Case mill = case_with_profile(command);
+  Case untuned = mill;
+  untuned.dem.tune = false;
   const Campaign campaign{
-      mill, {folder_for(command, mill, "deck")}, command.ranks.value_or(ranks_for(mill))};
+      untuned, {folder_for(command, mill, "deck")}, command.ranks.value_or(ranks_for(mill))};
   const auto folder_of = [&](StageKind kind) {
     const fs::path folder = campaign.folder.stage({0, kind});
     make_folder(folder);

@@ -179,7 +179,7 @@ void publish_pictures_if_possible(const Campaign& campaign, const ReportData& da
 }
 
 void explain_campaign(const Command& command, const Ledger& ledger, const Case& mill) {
-  if (const auto next = next_stage(ledger, mill.campaign.cycle_limit))
+  if (const auto next = next_stage(ledger, plan_of(mill)))
     fmt::print("{} would run next, because {}; then the rest of the campaign\n",
                name_of(next->stage), next->why);
   else
@@ -239,7 +239,7 @@ void run_verb(const Command& command) {
         progress.say(
             fmt::format("cycle {}: {}", so_far.entries.back().stage.cycle, spoken_outcome(data)));
       }};
-  const Ledger finished = run_campaign(ledger, campaign.mill.campaign.cycle_limit, effects);
+  const Ledger finished = run_campaign(ledger, plan_of(campaign.mill), effects);
   // Once more at the end: an earlier process may have died between its last stage and its results.
   const ReportData data = publish_campaign(command, campaign, finished);
   publish_pictures_if_possible(campaign, data, progress);
@@ -254,7 +254,7 @@ void status_verb(const Command& command) {
   const Ledger ledger = existing_ledger(command, mill, folder);
   const Campaign campaign{mill, folder, ledger.start.ranks};
   const bool running = is_locked(folder.lock());
-  const auto next = next_stage(ledger, mill.campaign.cycle_limit);
+  const auto next = next_stage(ledger, plan_of(mill));
   int next_cycle = 0;
   while (ledger.find({next_cycle, StageKind::wear}) != nullptr) ++next_cycle;
   const LinerProfile liner = liner_of_cycle(campaign, next_cycle);

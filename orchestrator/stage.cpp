@@ -10,7 +10,7 @@
 namespace millwear::orchestrator {
 namespace {
 
-constexpr std::array<std::string_view, 4> kind_names = {"mesh", "mix", "dem", "wear"};
+constexpr std::array<std::string_view, 5> kind_names = {"mesh", "mix", "tune", "dem", "wear"};
 constexpr std::array<std::string_view, 4> outcome_names = {"go_on", "height_limit", "plate_limit",
                                                            "reversed"};
 

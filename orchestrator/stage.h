@@ -9,6 +9,7 @@ namespace millwear::orchestrator {
 enum class StageKind {
   mesh,  ///< liner profile -> STL, STEP, DXF
   mix,   ///< pack the charge anew, let it fall and mix: in cycle 0 and after a reversal
+  tune,  ///< time neighbour skins on the mixed charge: in cycle 0, where the case wants it
   dem,   ///< settle on the new mesh and measure the load
   wear,  ///< load -> loss of steel -> next profile
 };

@@ -32,6 +32,9 @@ Outcome work_of(const Campaign& campaign, const StageId& stage, const fs::path& 
     case StageKind::mix:
       mix_stage(campaign, stage.cycle, into, progress);
       return Outcome::go_on;
+    case StageKind::tune:
+      tune_stage(campaign, into, progress);
+      return Outcome::go_on;
     case StageKind::dem:
       dem_stage(campaign, stage.cycle, into, progress);
       return Outcome::go_on;

@@ -210,7 +210,7 @@ void read_dumps(const Campaign& campaign, int cycle, const liggghts::StretchStep
 }  // namespace
 
 void write_mixing_deck(const Campaign& campaign, int cycle, const fs::path& into) {
-  const auto& mill = campaign.mill;
+  const Case mill = case_of_stretch(campaign, {cycle, StageKind::mix});
   const auto steps = liggghts::mixing_steps(mill, plan_steps(mill));
   Case packed = mill;
   packed.liner = dem_liner_of_cycle(campaign, cycle);
@@ -222,7 +222,7 @@ void write_mixing_deck(const Campaign& campaign, int cycle, const fs::path& into
 }
 
 void write_measuring_deck(const Campaign& campaign, int cycle, const fs::path& into) {
-  const auto& mill = campaign.mill;
+  const Case mill = case_of_stretch(campaign, {cycle, StageKind::dem});
   const auto steps = liggghts::measuring_steps(mill, plan_steps(mill));
   write_file(into / names::deck,
              liggghts::measuring_deck(mill, steps, dem_liner_of_cycle(campaign, cycle),

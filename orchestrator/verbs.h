@@ -15,5 +15,6 @@ void wear_verb(const Command& command);
 void import_verb(const Command& command);
 void compare_verb(const Command& command);
 void calibrate_verb(const Command& command);
+void tune_verb(const Command& command);
 
 }  // namespace millwear::orchestrator

@@ -24,7 +24,8 @@ TEST(Deck, LeavesNoPlaceholderBehind) {
   const Case mill = example_case();
   for (const auto& deck :
        {mixing_deck(mill, steps), measuring_deck(mill, steps, mill.liner, "../mix/charge.restart"),
-        liner_deck(StretchKind::mix, 0), liner_deck(StretchKind::measure, 3)}) {
+        trial_deck(mill, {25, 100}, "../mix/charge.restart"), liner_deck(StretchKind::mix, 0),
+        liner_deck(StretchKind::measure, 3)}) {
     EXPECT_THAT(deck, Not(HasSubstr("{{")));
     EXPECT_THAT(deck, Not(HasSubstr("}}")));
   }

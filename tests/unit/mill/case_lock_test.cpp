@@ -67,6 +67,13 @@ TEST(LockedCase, KeepsEverySetting) {
   EXPECT_EQ(back.dem.seed, 4711U);
 }
 
+TEST(LockedCase, TellsOfATrialOfSkinsOnlyWhereThereIsOne) {
+  Case mill = example_case();
+  EXPECT_EQ(locked_case_text(mill).find("tune"), std::string::npos);
+  mill.dem.tune = true;
+  EXPECT_TRUE(read_back(mill).dem.tune);
+}
+
 TEST(LockedCase, KeepsEveryMechanism) {
   Case mill = example_case();
   mill.wear.mechanisms = {

@@ -4,6 +4,8 @@
 
 #include <stdexcept>
 
+#include "tests/unit/mill/example_case.h"
+
 namespace millwear::orchestrator {
 namespace {
 
@@ -73,7 +75,7 @@ const std::vector<std::string> stages_of_two_cycles = {
 
 TEST(Campaign, MixesOnceAndGathersAfterEveryWear) {
   FakeWorld world{.last_cycle = 1};
-  const Ledger finished = run_campaign(new_ledger, 20, world.effects());
+  const Ledger finished = run_campaign(new_ledger, {20}, world.effects());
   EXPECT_THAT(world.published, ElementsAreArray(stages_of_two_cycles));
   EXPECT_THAT(world.gathered, ElementsAre(4, 7));
   EXPECT_EQ(finished.entries.size(), 7u);
@@ -83,10 +85,10 @@ class CampaignStops : public testing::TestWithParam<Outcome> {};
 
 TEST_P(CampaignStops, AtALimitOfTheLiner) {
   FakeWorld world{.last_cycle = 0, .last_outcome = GetParam()};
-  const Ledger finished = run_campaign(new_ledger, 20, world.effects());
+  const Ledger finished = run_campaign(new_ledger, {20}, world.effects());
   EXPECT_EQ(world.published.back(), "cycle 0 wear");
   EXPECT_EQ(outcome_of(finished), GetParam());
-  EXPECT_FALSE(next_stage(finished, 20));
+  EXPECT_FALSE(next_stage(finished, {20}));
 }
 
 INSTANTIATE_TEST_SUITE_P(Campaign, CampaignStops,
@@ -94,17 +96,17 @@ INSTANTIATE_TEST_SUITE_P(Campaign, CampaignStops,
 
 TEST(Campaign, StopsAtItsLastCycleAndGoesOnWhenThatIsRaised) {
   FakeWorld world{.last_cycle = 100};
-  const Ledger one_cycle = run_campaign(new_ledger, 1, world.effects());
+  const Ledger one_cycle = run_campaign(new_ledger, {1}, world.effects());
   EXPECT_EQ(world.published.back(), "cycle 0 wear");
   EXPECT_EQ(outcome_of(one_cycle), Outcome::go_on);
-  EXPECT_EQ(next_stage(one_cycle, 2)->stage, (StageId{1, StageKind::mesh}));
+  EXPECT_EQ(next_stage(one_cycle, {2})->stage, (StageId{1, StageKind::mesh}));
 }
 
 TEST(Campaign, FinishedOneRunsNothing) {
   FakeWorld world{.last_cycle = 1};
-  const Ledger finished = run_campaign(new_ledger, 20, world.effects());
+  const Ledger finished = run_campaign(new_ledger, {20}, world.effects());
   world.published.clear();
-  run_campaign(finished, 20, world.effects());
+  run_campaign(finished, {20}, world.effects());
   EXPECT_THAT(world.published, IsEmpty());
 }
 
@@ -112,7 +114,7 @@ TEST(Campaign, FinishedOneRunsNothing) {
 // only that one.
 TEST(Campaign, MixesAnewAfterAReversal) {
   FakeWorld world{.last_cycle = 2, .reversed_after = 0};
-  const Ledger finished = run_campaign(new_ledger, 20, world.effects());
+  const Ledger finished = run_campaign(new_ledger, {20}, world.effects());
   EXPECT_THAT(world.published,
               ElementsAre("cycle 0 mesh", "cycle 0 mix", "cycle 0 dem", "cycle 0 wear",
                           "cycle 1 mesh", "cycle 1 mix", "cycle 1 dem", "cycle 1 wear",
@@ -122,16 +124,32 @@ TEST(Campaign, MixesAnewAfterAReversal) {
 
 TEST(Campaign, GoesOnWhereItStoppedAfterAReversal) {
   FakeWorld world{.last_cycle = 9, .reversed_after = 0};
-  const Ledger reversed = run_campaign(new_ledger, 1, world.effects());
+  const Ledger reversed = run_campaign(new_ledger, {1}, world.effects());
   EXPECT_EQ(outcome_of(reversed), Outcome::go_on);
-  EXPECT_EQ(next_stage(reversed, 2)->why, "the mill was reversed after cycle 0 wear");
+  EXPECT_EQ(next_stage(reversed, {2})->why, "the mill was reversed after cycle 0 wear");
 }
 
 TEST(Campaign, SaysWhyAStageIsNext) {
-  EXPECT_EQ(next_stage(new_ledger, 20)->why, "the campaign is new");
+  EXPECT_EQ(next_stage(new_ledger, {20})->why, "the campaign is new");
   Ledger meshed = new_ledger;
   meshed.entries.push_back({{0, StageKind::mesh}, Outcome::go_on, {}, 1.0});
-  EXPECT_EQ(next_stage(meshed, 20)->why, "cycle 0 mesh is published and this is not");
+  EXPECT_EQ(next_stage(meshed, {20})->why, "cycle 0 mesh is published and this is not");
+}
+
+TEST(Campaign, TriesSkinsOnceAfterTheFirstMix) {
+  FakeWorld world{.last_cycle = 1, .reversed_after = 0};
+  run_campaign(new_ledger, {20, SkinChoice::by_trial}, world.effects());
+  EXPECT_THAT(world.published, ElementsAre("cycle 0 mesh", "cycle 0 mix", "cycle 0 tune",
+                                           "cycle 0 dem", "cycle 0 wear", "cycle 1 mesh",
+                                           "cycle 1 mix", "cycle 1 dem", "cycle 1 wear"));
+}
+
+TEST(Campaign, TriesSkinsWhereTheCaseWantsIt) {
+  Case mill = example_case();
+  EXPECT_EQ(plan_of(mill).skin, SkinChoice::by_case);
+  mill.dem.tune = true;
+  EXPECT_EQ(plan_of(mill).skin, SkinChoice::by_trial);
+  EXPECT_EQ(plan_of(mill).cycle_limit, mill.campaign.cycle_limit);
 }
 
 struct FailurePoint {
@@ -146,9 +164,9 @@ class CampaignResumes : public testing::TestWithParam<FailurePoint> {};
 TEST_P(CampaignResumes, WithTheSameStagesOnceEach) {
   const auto [effect, after] = GetParam();
   FakeWorld world{.last_cycle = 1, .failing = effect, .fails_after = after};
-  EXPECT_THROW(run_campaign(new_ledger, 20, world.effects()), Stopped);
+  EXPECT_THROW(run_campaign(new_ledger, {20}, world.effects()), Stopped);
   world.failing = FailingEffect::none;
-  const Ledger finished = run_campaign(world.on_disk, 20, world.effects());
+  const Ledger finished = run_campaign(world.on_disk, {20}, world.effects());
   EXPECT_THAT(world.recorded(), ElementsAreArray(stages_of_two_cycles));
   EXPECT_EQ(outcome_of(finished), Outcome::height_limit);
   EXPECT_EQ(world.published.size(), effect == FailingEffect::record ? 8u : 7u);

@@ -42,7 +42,8 @@ TEST(CommandLine, KnowsEveryVerb) {
   const std::vector<std::pair<const char*, Verb>> verbs = {
       {"check", Verb::check}, {"mesh", Verb::mesh},       {"deck", Verb::deck},
       {"run", Verb::run},     {"status", Verb::status},   {"report", Verb::report},
-      {"wear", Verb::wear},   {"compare", Verb::compare}, {"calibrate", Verb::calibrate}};
+      {"wear", Verb::wear},   {"compare", Verb::compare}, {"calibrate", Verb::calibrate},
+      {"tune", Verb::tune}};
   for (const auto& [name, verb] : verbs)
     EXPECT_EQ(answer_to({name, "case.toml"}).parsed.command->verb, verb) << name;
 }
@@ -104,6 +105,15 @@ TEST(CommandLine, TakesEveryOptionOfCalibrate) {
   const auto bare = answer_to({"calibrate", "case.toml"}).parsed;
   EXPECT_FALSE(bare.command->readings);
   EXPECT_FALSE(bare.command->until);
+}
+
+TEST(CommandLine, TakesEveryOptionOfTune) {
+  const auto parsed =
+      answer_to({"tune", "case.toml", "--out", "run", "--ranks", "2", "--json"}).parsed;
+  ASSERT_TRUE(parsed.command);
+  EXPECT_EQ(parsed.command->out, "run");
+  EXPECT_EQ(parsed.command->ranks, 2);
+  EXPECT_EQ(parsed.command->form, OutputForm::json);
 }
 
 TEST(CommandLine, EndsWellAfterHelpAndVersionOnStandardOutput) {

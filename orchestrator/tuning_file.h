@@ -1,0 +1,22 @@
+#pragma once
+#include <filesystem>
+#include <string>
+
+#include "orchestrator/tuning.h"
+
+namespace millwear::orchestrator {
+
+/// A tuning as JSON, `millwear tuning` 1 (docs/file_formats.md).
+[[nodiscard]] std::string tuning_json(const Tuning& tuning);
+
+/// Reads such a file. Throws DiskError where it cannot be read, and ResultRejected where it cannot
+/// be understood or its chosen skin is none that was tried.
+[[nodiscard]] Tuning read_tuning(const std::filesystem::path& file);
+
+/// A table of the trials, the fastest skin, and what to write into the case.
+[[nodiscard]] std::string tuning_text(const Tuning& tuning);
+
+/// "skin_m = 0.0212": the line for [dem].
+[[nodiscard]] std::string dem_line(const Tuning& tuning);
+
+}  // namespace millwear::orchestrator

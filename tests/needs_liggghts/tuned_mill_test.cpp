@@ -1,0 +1,96 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include "liggghts_inputs/deck.h"
+#include "orchestrator/campaign.h"
+#include "orchestrator/stages.h"
+#include "orchestrator/tuning_file.h"
+#include "tests/needs_liggghts/mill_trial.h"
+
+namespace millwear::trial {
+namespace {
+
+using namespace orchestrator;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+Case tuned_mill() {
+  Case mill = small_mill(ContactPath::dumps);
+  mill.dem.mix_revolutions = 0.2;
+  mill.dem.measure_revolutions = 0.2;
+  mill.dem.tune = true;
+  return mill;
+}
+
+class TunedMill : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!liggghts_is_installed()) GTEST_SKIP() << "liggghts or mpirun is not installed";
+  }
+
+  /// Runs one cycle and tells the stages in their order.
+  std::vector<std::string> run_a_cycle() {
+    Progress progress(Verbosity::quiet);
+    std::vector<std::string> stages;
+    const CampaignEffects effects{
+        [&](const StageId& stage) { return run_stage(campaign, stage, progress); },
+        [&](const LedgerEntry& entry) { stages.push_back(name_of(entry.stage)); },
+        [](const Ledger&) {}};
+    CampaignPlan plan = plan_of(campaign.mill);
+    plan.cycle_limit = 1;
+    run_campaign({{"millwear", "hash", 1, "host"}, {}}, plan, effects);
+    return stages;
+  }
+
+  [[nodiscard]] std::string text_in(StageKind kind, const char* file) const {
+    return read_file(campaign.folder.stage({0, kind}) / file);
+  }
+
+  ScratchFolder scratch;
+  Campaign campaign{tuned_mill(), {scratch.stage("run")}, 1};
+};
+
+// LIGGGHTS takes every skin of the ladder, tells its loop time and its builds, and rebuilds the
+// less often the wider the skin. The load is measured with the skin that was chosen.
+TEST_F(TunedMill, MeasuresWithTheSkinItChose) {
+  EXPECT_THAT(run_a_cycle(), ElementsAre("cycle 0 mesh", "cycle 0 mix", "cycle 0 tune",
+                                         "cycle 0 dem", "cycle 0 wear"));
+  const auto tuning =
+      read_tuning(campaign.folder.stage({0, StageKind::tune}) / stage_files::tuning);
+  EXPECT_EQ(tuning.particles, 120u);
+  ASSERT_EQ(tuning.trials.size(), skins_on_trial(campaign.mill).size());
+  for (std::size_t i = 0; i < tuning.trials.size(); ++i) {
+    const auto& trial = tuning.trials[i];
+    EXPECT_EQ(trial.refused, "") << trial.skin;
+    EXPECT_EQ(trial.loop_seconds.size(), 3u);
+    EXPECT_GT(median_seconds(trial), 0.0);
+    EXPECT_EQ(trial.dangerous_builds, 0);
+    EXPECT_GE(trial.neighbour_builds, 4);
+    if (i > 0) EXPECT_LT(trial.neighbour_builds, tuning.trials[i - 1].neighbour_builds);
+  }
+  EXPECT_THAT(text_in(StageKind::dem, liggghts::file_names::deck),
+              HasSubstr(fmt::format("neighbor      {} bin\n", tuning.skin)));
+  EXPECT_THAT(
+      text_in(StageKind::mix, liggghts::file_names::deck),
+      HasSubstr(fmt::format("neighbor      {} bin\n", liggghts::neighbour_skin(campaign.mill))));
+}
+
+// A step of half a skin and more may pass a contact by: LIGGGHTS counts such builds, and the skin
+// is refused.
+TEST_F(TunedMill, TakesNoSkinThatIsCrossedInOneStep) {
+  Progress progress(Verbosity::quiet);
+  campaign.mill.dem.tune = false;
+  campaign.mill.dem.skin = 1e-6;
+  for (const StageKind kind : {StageKind::mesh, StageKind::mix, StageKind::tune})
+    static_cast<void>(run_stage(campaign, {0, kind}, progress));
+  const auto tuning =
+      read_tuning(campaign.folder.stage({0, StageKind::tune}) / stage_files::tuning);
+  EXPECT_EQ(tuning.trials.front().skin, 1e-6);
+  EXPECT_GT(tuning.trials.front().dangerous_builds, 0);
+  EXPECT_THAT(tuning.trials.front().refused, HasSubstr("in one step"));
+  EXPECT_EQ(tuning.trials.front().loop_seconds.size(), 1u);
+  EXPECT_GT(tuning.skin, 1e-6);
+}
+
+}  // namespace
+}  // namespace millwear::trial

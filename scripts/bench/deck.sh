@@ -102,3 +102,25 @@ awk -v steps="$steps" -v step="$step" '
         median(-k), k > 1 ? median(k - 1) / median(k) : 1
     }
   }' times
+
+# Filling: the packing that millwear makes, against a charge that falls from the top (the packing
+# turned upside down), with contacts softened ten times more so that it takes minutes. Steady is when
+# the kinetic energy was last a quarter off its mean over the last fifth of the run.
+sed 's/^modulus_reduction.*/modulus_reduction = 1000.0/' "$case" >soft.toml
+$millwear deck soft.toml --out "$work/soft" --quiet >/dev/null
+cd "$work/soft/cycle_000/mix"
+steps=$(awk '/^run/ { print int($2 / 2 * 0.4) }' deck.in)
+sed -i -e "s/^run .*/run $steps/" -e "s/^thermo  .*/thermo $((steps / 200))/" -e '/^write_restart/d' deck.in
+awk '/^Atoms/ { on = 1 } on && NF == 7 { $7 = -$7 } { print }' charge.data >falling.data
+sed 's/^read_data .*/read_data falling.data/' deck.in >falling.in
+printf '\n%-40s %16s %16s\n' "" "steady after, s" "peak energy, kJ"
+for fill in deck falling; do
+  $mpi liggghts -in $fill.in -log none >$fill.log
+  [ $fill = deck ] && printf '%-40s' "packed low" || printf '%-40s' "falling from the top"
+  awk -v step="$(awk '/^timestep/ { print $2 }' contact_model.in)" '
+    NF == 5 && $1 ~ /^[0-9]+$/ && $2 ~ /^[0-9]+$/ { n++; time[n] = $1 * step; energy[n] = $3 }
+    END { from = int(0.8 * n); for (i = from; i <= n; i++) mean += energy[i] / (n - from + 1)
+      for (i = 1; i <= n; i++) { if (energy[i] > peak) peak = energy[i]
+        if (energy[i] > 1.25 * mean || energy[i] < 0.75 * mean) steady = time[i] }
+      printf " %16.2f %16.1f\n", steady, peak / 1e3 }' $fill.log
+done

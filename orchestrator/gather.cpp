@@ -11,6 +11,7 @@
 #include "mill/time_step.h"
 #include "orchestrator/campaign.h"
 #include "orchestrator/impacts.h"
+#include "orchestrator/motion_of_cycle.h"
 #include "orchestrator/uncertainty.h"
 #include "wear/load_carrier.h"
 #include "wear/load_rate.h"
@@ -168,6 +169,7 @@ wear::WornCycle add_cycle(const Campaign& campaign, int cycle, double time, Repo
   const auto rate = wear::rate_of_load(mill, recorded.load);
   data.loads.push_back(load_of_cycle(campaign, cycle, rate));
   data.impacts.push_back(impacts_of(cycle, recorded, mill));
+  data.motion.push_back(motion_of_cycle(cycle, measured, recorded));
   return worn_cycle(campaign, cycle, time, rate, kept);
 }
 

@@ -10,6 +10,7 @@
 #include "orchestrator/results/history.h"
 #include "orchestrator/results/profiles.h"
 #include "orchestrator/results/replicates.h"
+#include "wear/charge_motion.h"
 
 namespace millwear::orchestrator {
 
@@ -77,6 +78,17 @@ struct Impacts {
   std::vector<ImpactLine> particles;  ///< a line a pair of materials; empty where not recorded
 };
 
+/// Arc of `MotionOfCycle::hit_power` [degrees].
+inline constexpr Eigen::Index hit_arc_degrees = 5;
+
+/// What the charge did in one cycle's measurement.
+struct MotionOfCycle {
+  int cycle;
+  wear::MotionMeasures measures;
+  std::vector<double> hit_power;  ///< of hits on the bare liner [W per degree], a value an arc from
+                                  ///< twelve o'clock along the rotation; empty where not recorded
+};
+
 /// What one cycle took from the liner against what its load accounts for.
 struct Conservation {
   int cycle;
@@ -117,6 +129,7 @@ struct ReportData {
   std::vector<double> energy_edges;  ///< of the classes of `impacts` [J]
   std::vector<Impacts> impacts;
   std::vector<PowerSeries> power;
+  std::vector<MotionOfCycle> motion{};
   std::vector<Conservation> conservation;
   std::vector<MeasuredHeight> measured;
   std::vector<MeasuredProfile> measured_profiles{};

@@ -49,7 +49,15 @@ Json json_of(const HistoryRow& row) {
           {"toe_error", row.toe_error},
           {"lifter_height_error", row.lifter_height_error},
           {"plate_thickness_error", row.plate_thickness_error},
-          {"worn_volume_error", row.worn_volume_error}};
+          {"worn_volume_error", row.worn_volume_error},
+          {"airborne_share", row.airborne_share},
+          {"airborne_share_error", row.airborne_share_error},
+          {"bare_hit_power", row.bare_hit_power},
+          {"bare_hit_power_error", row.bare_hit_power_error},
+          {"dead_zone_share", row.dead_zone_share},
+          {"dead_zone_share_error", row.dead_zone_share_error},
+          {"between_locked_share", row.between_locked_share},
+          {"between_locked_share_error", row.between_locked_share_error}};
 }
 
 Json json_of(const MeasuredCharge& charge) {
@@ -116,6 +124,24 @@ Json json_of(const Impacts& impacts) {
 
 Json json_of(const PowerSeries& series) {
   return {{"cycle", series.cycle}, {"time", series.time}, {"power", series.power}};
+}
+
+Json json_of(const wear::Estimate& estimate) {
+  return {{"value", estimate.value}, {"error", estimate.error}};
+}
+
+Json json_of(const MotionOfCycle& motion) {
+  const auto& measures = motion.measures;
+  return {{"cycle", motion.cycle},
+          {"airborne_share", json_of(measures.airborne_share)},
+          {"dead_zone_share", json_of(measures.dead_zone_share)},
+          {"between_locked_share", json_of(measures.between_locked_share)},
+          {"packed_share", json_of(measures.packed_share)},
+          {"bare_hit_mass_share", json_of(measures.bare_hit_mass_share)},
+          {"bare_hit_power", json_of(measures.bare_hit_power)},
+          {"bare_hit_falling_power", json_of(measures.bare_hit_falling_power)},
+          {"bare_hit_plate_power", json_of(measures.bare_hit_plate_power)},
+          {"hit_power", motion.hit_power}};
 }
 
 Json json_of(const Conservation& balance) {
@@ -209,6 +235,8 @@ std::string report_json(const ReportData& data) {
                      {"energy_edges", data.energy_edges},
                      {"impacts", all(data.impacts)},
                      {"power", all(data.power)},
+                     {"motion", all(data.motion)},
+
                      {"conservation", all(data.conservation)},
                      {"measured", all(data.measured)},
                      {"measured_profiles", all(data.measured_profiles)},

@@ -44,6 +44,7 @@ drawPower(at("power-chart"));
 drawPowerSeries(at("power-series-chart"));
 drawAngle(at("shoulder-chart"), "Shoulder", "shoulder", "shoulder_error");
 drawAngle(at("toe-chart"), "Toe", "toe", "toe_error");
+startMotion();
 startLoad();
 startImpacts();
 drawBins(at("bins-drawing"), at("bins-caption"));

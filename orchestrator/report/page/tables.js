@@ -36,6 +36,14 @@ function fillHistory() {
     {head: "±", unit: "°", se: true, text: (row) => significant(2)(inDegrees(row.shoulder_error))},
     {head: "Toe", unit: "°", text: (row) => fixed(1)(inDegrees(row.toe))},
     {head: "±", unit: "°", se: true, text: (row) => significant(2)(inDegrees(row.toe_error))},
+    {head: "In flight", unit: "%", text: (row) => fixed(1)(inPercent(row.airborne_share))},
+    {head: "±", unit: "%", se: true, text: (row) => significant(2)(inPercent(row.airborne_share_error))},
+    {head: "Bare hits", unit: scale.unit, text: (row) => significant(3)(per(row.bare_hit_power))},
+    {head: "±", unit: scale.unit, se: true, text: (row) => significant(2)(per(row.bare_hit_power_error))},
+    {head: "Moves with mill", unit: "%", text: (row) => fixed(1)(inPercent(row.dead_zone_share))},
+    {head: "±", unit: "%", se: true, text: (row) => significant(2)(inPercent(row.dead_zone_share_error))},
+    {head: "... between lifters", unit: "%", text: (row) => fixed(1)(inPercent(row.between_locked_share))},
+    {head: "±", unit: "%", se: true, text: (row) => significant(2)(inPercent(row.between_locked_share_error))},
   ].filter((column) => column.head === "Cycle" || data.history.some((row) => column.text(row) !== "–"));
   fillTable("history-table", data.history, columns, (row, before) => row.cycle !== before.cycle);
 }

@@ -123,6 +123,34 @@ TEST_F(ReportPage, DrawsTheCalibratedPredictionWhereThereIsOne) {
   EXPECT_NE(page.find("Nothing to judge by."), std::string::npos);
 }
 
+// First cycle against last, in twelve rows; three lines of shares, and hits new and worn.
+TEST_F(ReportPage, HoldsTheChargeOnTheNewLinerAgainstTheWorn) {
+  const auto page = drawn(report_html(synthetic_campaign(3, 2)), folder);
+  const auto table = part_between(page, "id=\"motion-table\"", "</section>");
+  EXPECT_EQ(count_of(table, "<tr"), 13u);
+  EXPECT_EQ(count_of(table, "<th"), 1u + 6u);
+  EXPECT_NE(table.find("Cycle 0"), std::string::npos);
+  EXPECT_NE(table.find("Cycle 2"), std::string::npos);
+  const auto lines = [&](const std::string& chart) {
+    return count_of(part_between(page, "id=\"" + chart + "\"", "</svg>"), "class=\"series");
+  };
+  EXPECT_EQ(lines("motion-chart"), 3u);
+  EXPECT_EQ(lines("hit-power-chart"), 1u);
+  EXPECT_EQ(lines("hits-around-chart"), 2u);
+}
+
+// With the dumps nothing is known of the motion: what is left of the table is toe, shoulder, power.
+TEST_F(ReportPage, LeavesOutTheMotionThatWasNotRecorded) {
+  auto campaign = synthetic_campaign(3, 2);
+  for (auto& motion : campaign.motion) motion = {motion.cycle, wear::unknown_motion(), {}};
+  const auto page = drawn(report_html(campaign), folder);
+  EXPECT_EQ(count_of(part_between(page, "id=\"motion-table\"", "</section>"), "<tr"), 4u);
+  EXPECT_NE(part_between(page, "id=\"hits-around-chart\"", "</figure>").find("Not recorded"),
+            std::string::npos);
+  EXPECT_NE(part_between(page, "id=\"motion-chart\"", "</figure>").find("Not recorded"),
+            std::string::npos);
+}
+
 // A campaign before its first result: the page still says what it is and draws nothing.
 TEST_F(ReportPage, OfAnEmptyCampaignSaysSo) {
   auto campaign = synthetic_campaign(0, 1);

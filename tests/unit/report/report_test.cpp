@@ -70,6 +70,10 @@ TEST(Report, HoldsEveryFigureOfTheCampaign) {
   EXPECT_EQ(json["energy_edges"].size(), 141u);
   EXPECT_EQ(json["power"][1]["power"], campaign.power[1].power);
   EXPECT_EQ(json["conservation"].size(), 3u);
+  ASSERT_EQ(json["motion"].size(), 3u);
+  EXPECT_EQ(json["motion"][2]["airborne_share"]["value"],
+            campaign.motion[2].measures.airborne_share.value);
+  EXPECT_EQ(json["motion"][2]["hit_power"], campaign.motion[2].hit_power);
   EXPECT_EQ(json["warnings"], campaign.warnings);
   EXPECT_EQ(json["provenance"][0][1], campaign.provenance[0].value);
 }

@@ -146,6 +146,24 @@ PowerSeries power_at(const HistoryRow& row, std::mt19937& random) {
   return series;
 }
 
+/// Hits of `row.bare_hit_power` around 200 degrees as toe and shoulder are counted.
+MotionOfCycle motion_of(const HistoryRow& row) {
+  MotionOfCycle motion{row.cycle, wear::unknown_motion(), {}};
+  motion.measures.airborne_share = {row.airborne_share, row.airborne_share_error};
+  motion.measures.dead_zone_share = {row.dead_zone_share, row.dead_zone_share_error};
+  motion.measures.between_locked_share = {row.between_locked_share, row.between_locked_share_error};
+  motion.measures.packed_share = {0.8 * row.dead_zone_share, row.dead_zone_share_error};
+  motion.measures.bare_hit_power = {row.bare_hit_power, row.bare_hit_power_error};
+  motion.measures.bare_hit_mass_share = {1e-5 * row.bare_hit_power, 1e-3};
+  motion.measures.bare_hit_falling_power = {0.97 * row.bare_hit_power, row.bare_hit_power_error};
+  motion.measures.bare_hit_plate_power = {0.6 * row.bare_hit_power, row.bare_hit_power_error};
+  for (int arc = 0; arc < 360 / hit_arc_degrees; ++arc) {
+    const double off = (90.0 + 5.0 * (arc + 0.5) - 200.0) / 15.0;
+    motion.hit_power.push_back(row.bare_hit_power / 26.6 * std::exp(-off * off));
+  }
+  return motion;
+}
+
 /// Collisions of one kind: a lognormal distribution of the energy around `middle` [J].
 ImpactLine impacts_around(const std::string& name, double rate, double middle, double speed) {
   const auto spread = [&](double around) {
@@ -234,6 +252,7 @@ ReportData synthetic_campaign(int cycles, int steps) {
           {cycle, step, age * life_hours, points, std::vector<double>(points.size(), 0.002 * age)});
     }
     data.power.push_back(power_at(data.history.back(), random));
+    data.motion.push_back(motion_of(data.history.back()));
     data.conservation.push_back(
         {cycle, 0.0041, 0.0041 * (1.0 + 2e-8), 0.031, 4e-5, 2.0, 0.06, "target reached"});
   }

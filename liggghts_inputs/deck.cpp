@@ -9,6 +9,7 @@
 
 #include "deck_templates.h"
 #include "liggghts_inputs/deck_template.h"
+#include "mill/steady_mixing.h"
 
 namespace millwear::liggghts {
 namespace {
@@ -62,6 +63,16 @@ std::string dumps(const Case& mill, const StretchSteps& steps) {
 std::string liner_id(StretchKind kind, int cycle) {
   constexpr std::array<std::string_view, 3> suffixes = {"_mix", "_trial", ""};
   return fmt::format("liner_{:03}{}", cycle, suffixes[static_cast<std::size_t>(kind)]);
+}
+
+std::string drift(const Case& mill) {
+  if (!mill.dem.mix_until_steady) return "";
+  const MixingPlan plan = mixing_plan(mill, plan_steps(mill));
+  return fmt::format(
+      "# millwear-recorder mix ends this run once these means over whole pitches drift no longer;\n"
+      "# the plain liggghts takes it to its end.\n"
+      "fix           drift all ave/time 1 {0} {0} v_torque c_kinetic\n",
+      plan.piece);
 }
 
 std::string measure_runs(const StretchSteps& steps) {
@@ -122,6 +133,7 @@ std::string mixing_deck(const Case& mill, const StretchSteps& steps) {
        {"skin_m", number(neighbour_skin(mill))},
        {"contact_model_file", file_names::contact_model},
        {"thermo_steps", fmt::format("{}", std::max(1L, steps.total() / thermo_lines))},
+       {"drift", drift(mill)},
        {"mix_steps", fmt::format("{}", steps.total())},
        {"restart_file", file_names::restart},
        {"sentinel", std::string(sentinel)}});

@@ -8,6 +8,7 @@
 
 #include "liggghts_inputs/run_log.h"
 #include "mill/failure.h"
+#include "mill/steady_mixing.h"
 
 namespace millwear::liggghts {
 namespace {
@@ -29,6 +30,8 @@ double StretchSteps::sample_interval() const {
 }
 
 StretchSteps mixing_steps(const Case& mill, const StepPlan& plan) {
+  if (mill.dem.mix_until_steady)
+    return {plan.time_step, mixing_plan(mill, plan).most, 0, mill.dem.sample_every_steps};
   const long pitches = whole_pitches(mill.dem.mix_revolutions, mill.liner.sector.rows);
   return {plan.time_step, pitches * plan.steps_per_pitch, 0, mill.dem.sample_every_steps};
 }

@@ -34,7 +34,8 @@ struct StretchSteps {
   [[nodiscard]] double sample_interval() const;  ///< [s]
 };
 
-/// Mixes for `dem.mix_revolutions`, rounded up to whole pitches.
+/// Mixes for `dem.mix_revolutions`, rounded up to whole pitches; at most for that, in whole pieces,
+/// where it ends once it is steady (mill/steady_mixing.h).
 [[nodiscard]] StretchSteps mixing_steps(const Case& mill, const StepPlan& plan);
 
 /// Settles for `dem.settle_pitches`, then measures for `dem.measure_revolutions`, rounded up to

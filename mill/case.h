@@ -84,6 +84,8 @@ struct DemSettings {
   std::optional<double> time_step{};  ///< wanted [s], in place of the share of the Rayleigh time
   std::optional<ErrorTarget> error_target{};  ///< recorder only
   bool tune = false;  ///< a campaign chooses its skin by a trial; then `skin` is not given
+  bool mix_until_steady = false;  ///< mixing ends once it is steady (mill/steady_mixing.h; recorder
+                                  ///< only), with `mix_revolutions` the most
 };
 
 /// How the sampled load is smoothed along the profile. docs/physics.md has both.

@@ -126,7 +126,8 @@ DemSettings build_dem(const CaseDocument& document) {
           .pair_revolutions = real_value(dem, "pair_revolutions"),
           .time_step = optional_real(dem, "time_step_s"),
           .error_target = build_error_target(dem),
-          .tune = boolean_value(dem, "tune")};
+          .tune = boolean_value(dem, "tune"),
+          .mix_until_steady = boolean_value(dem, "mix_until_steady")};
 }
 
 CampaignSettings build_campaign(const CaseDocument& document, CaseProblems& problems) {

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <set>
 
+#include "mill/steady_mixing.h"
 #include "mill/time_step.h"
 
 namespace millwear {
@@ -181,6 +182,24 @@ void check_tuning(const Case& mill, const CaseDocument& document, CaseProblems& 
                              *mill.dem.skin));
 }
 
+void check_mixing(const Case& mill, const CaseDocument& document, CaseProblems& problems) {
+  if (!mill.dem.mix_until_steady) return;
+  const int line = document.line_of("dem", "mix_until_steady");
+  if (mill.dem.contact_path != ContactPath::recorder)
+    problems.add(line,
+                 "only the recorder can tell while it mixes whether the charge is steady; set "
+                 "`wall_contacts = \"recorder\"`, or take `mix_until_steady` out");
+  const MixingPlan plan = mixing_plan(mill, plan_steps(mill));
+  if (plan.most < least_steps(plan))
+    problems.add(
+        line,
+        fmt::format("`mix_until_steady` can tell nothing before {:.3g} revolutions and "
+                    "`mix_revolutions` = {:g} ends before; raise it, or take "
+                    "`mix_until_steady` out",
+                    static_cast<double>(least_steps(plan)) / static_cast<double>(plan.revolution),
+                    mill.dem.mix_revolutions));
+}
+
 std::string spoken_classes(const Case& mill) {
   std::string text;
   for (const ParticleClass& kind : mill.charge.classes) {
@@ -237,6 +256,7 @@ void check_case(const Case& mill, const CaseDocument& document, CaseProblems& pr
   check_time_step(mill, document, problems);
   check_error_target(mill, document, problems);
   check_tuning(mill, document, problems);
+  check_mixing(mill, document, problems);
 }
 
 }  // namespace millwear

@@ -100,6 +100,7 @@ void write_dem(const DemSettings& dem, LockWriter& lock) {
   lock.text("rolling_friction_model",
             dem.rolling_friction == RollingFriction::cdt ? "cdt" : "epsd2");
   lock.key("mix_revolutions", dem.mix_revolutions);
+  if (dem.mix_until_steady) lock.key("mix_until_steady", true);
   lock.key("settle_pitches", dem.settle_pitches);
   lock.key("measure_revolutions", dem.measure_revolutions);
   if (dem.error_target) {

@@ -44,6 +44,7 @@ nlohmann::json check_json(const Case& mill, int ranks) {
           {"wall_contacts", name_of(mill.dem.contact_path)},
           {"sample_every_steps", mill.dem.sample_every_steps},
           {"mixing_steps", liggghts::mixing_steps(mill, plan).total()},
+          {"mix_until_steady", mill.dem.mix_until_steady},
           {"steps_per_cycle", measuring.total()},
           {"most_steps_per_cycle", measuring.most_total()},
           {"target_relative_error", mill.dem.error_target
@@ -114,12 +115,13 @@ void print_check(const Case& mill, int ranks) {
   const auto range = [](const std::string& least, const std::string& most) {
     return least == most ? least : least + " to " + most;
   };
-  fmt::print("  {} steps a revolution; mixing {} steps, each cycle {} steps\n",
-             plan.steps_per_revolution(sector.rows), mixing.total(),
+  const char* const at_most = mill.dem.mix_until_steady ? "at most " : "";
+  fmt::print("  {} steps a revolution; mixing {}{} steps, each cycle {} steps\n",
+             plan.steps_per_revolution(sector.rows), at_most, mixing.total(),
              range(std::to_string(measuring.total()), std::to_string(measuring.most_total())));
   if (mill.dem.error_target) fmt::print("  {}\n", spoken_target(mill, plan, measuring));
-  fmt::print("  on {} ranks about {} to mix and {} a cycle (within a factor of three)\n", ranks,
-             spoken_time(cost.mixing),
+  fmt::print("  on {} ranks {}about {} to mix and {} a cycle (within a factor of three)\n", ranks,
+             at_most, spoken_time(cost.mixing),
              range(spoken_time(cost.per_cycle), spoken_time(cost.per_cycle_most)));
   fmt::print("  wall contacts {}\n", spoken_contact_path(mill));
   for (const auto& warning : warnings(mill)) fmt::print("Warning: {}\n", warning);

@@ -11,6 +11,7 @@
 #include "mill/time_step.h"
 #include "orchestrator/campaign.h"
 #include "orchestrator/impacts.h"
+#include "orchestrator/mixing.h"
 #include "orchestrator/motion_of_cycle.h"
 #include "orchestrator/uncertainty.h"
 #include "wear/load_carrier.h"
@@ -223,6 +224,17 @@ std::vector<LabelledValue> description_of(const Case& mill) {
                               spoken_reductions(mill))}};
 }
 
+/// What to keep in mind of the charge a cycle began with, where it was mixed anew.
+void add_mixing_warning(const Campaign& campaign, const Ledger& ledger, int cycle,
+                        ReportData& data) {
+  const StageId stage{cycle, StageKind::mix};
+  if (!campaign.mill.dem.mix_until_steady || ledger.find(stage) == nullptr) return;
+  const auto record = read_mixing(campaign.mill, campaign.folder.stage(stage));
+  if (mixing_state(record.plan, record.pieces) != MixingState::steady)
+    data.warnings.push_back(
+        fmt::format("cycle {}: {}; raise `mix_revolutions`", cycle, spoken_mixing(record)));
+}
+
 }  // namespace
 
 ReportData gather(const Campaign& campaign, const Ledger& ledger) {
@@ -239,6 +251,7 @@ ReportData gather(const Campaign& campaign, const Ledger& ledger) {
   double time = 0.0;
   for (int cycle = 0; ledger.find({cycle, StageKind::wear}) != nullptr; ++cycle) {
     cycles.push_back(add_cycle(campaign, cycle, time, data));
+    add_mixing_warning(campaign, ledger, cycle, data);
     for (const auto& step : cycles.back().steps) time += step.duration;
   }
   data.life = life_from(campaign, ledger, data);

@@ -9,6 +9,7 @@
 #include "orchestrator/cost_estimate.h"
 #include "orchestrator/measured.h"
 #include "orchestrator/mesh_facts.h"
+#include "orchestrator/mixing.h"
 #include "orchestrator/stages.h"
 #include "orchestrator/verbs.h"
 
@@ -61,7 +62,11 @@ void deck_verb(const Command& command) {
   write_measuring_deck(campaign, 0, folder_of(StageKind::dem));
   write_file(campaign.folder.locked_case(), locked_case_text(mill));
   print_folder(command, campaign.folder.root, "the decks (cycle_000/mix, then cycle_000/dem) are");
-  if (command.form != OutputForm::json && mill.dem.contact_path == ContactPath::recorder)
+  if (command.form == OutputForm::json) return;
+  if (mill.dem.mix_until_steady)
+    fmt::print("cycle_000/mix is run by: mpirun -np {} millwear-recorder {} --in deck.in\n",
+               campaign.ranks, fmt::join(mixing_arguments(mill), " "));
+  if (mill.dem.contact_path == ContactPath::recorder)
     fmt::print("cycle_000/dem is measured by: mpirun -np {} millwear-recorder --in deck.in {}\n",
                campaign.ranks, fmt::join(recorder_arguments(mill), " "));
 }

@@ -30,6 +30,7 @@ inline constexpr const char* profile = "profile.csv";
 inline constexpr const char* profile_step = "profile.step";
 inline constexpr const char* profile_dxf = "profile.dxf";
 inline constexpr const char* tuning = "tuning.json";
+inline constexpr const char* mixing = "mixing.csv";
 inline constexpr const char* load = "load.h5";
 inline constexpr const char* events = "events.h5";
 inline constexpr const char* measured = "measured.json";

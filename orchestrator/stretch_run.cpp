@@ -107,10 +107,10 @@ std::vector<std::string> command_of(const StretchRun& run) {
                                    liggghts::file_names::deck, "-log", "none"});
     return command;
   }
-  command.insert(command.end(),
-                 {run.recorder->program.string(), "--in", liggghts::file_names::deck});
+  command.push_back(run.recorder->program.string());
   const auto& more = run.recorder->arguments;
   command.insert(command.end(), more.begin(), more.end());
+  command.insert(command.end(), {"--in", liggghts::file_names::deck});
   return command;
 }
 

@@ -10,6 +10,7 @@
 #include "liggghts_inputs/torque_series.h"
 #include "mill/failure.h"
 #include "orchestrator/mesh_facts.h"
+#include "orchestrator/mixing.h"
 #include "orchestrator/stages.h"
 #include "orchestrator/stretch_progress.h"
 #include "orchestrator/stretch_run.h"
@@ -207,6 +208,28 @@ void read_dumps(const Campaign& campaign, int cycle, const liggghts::StretchStep
   wear::write_record(into / stage_files::load, load.finish());
 }
 
+/// Runs the mixing deck with the recorder, which ends it once it is steady.
+void mix_until_steady(const Campaign& campaign, int cycle, const fs::path& into,
+                      Progress& progress) {
+  const StageId stage{cycle, StageKind::mix};
+  auto steps = liggghts::mixing_steps(campaign.mill, plan_steps(campaign.mill));
+  const auto follow_drift = drift_follower(name_of(stage), progress);
+  auto follow_steps = step_follower(stage, steps, progress);
+  const auto take_line = [&](std::string_view line) {
+    follow_drift(line);
+    follow_steps(line);
+  };
+  run_liggghts({into, campaign.ranks, take_line,
+                RecorderProgram{recorder_program(), mixing_arguments(campaign.mill)}},
+               {});
+  // Without a record it did not come to its end, and the log tells why.
+  if (!fs::exists(into / stage_files::mixing)) return check_stretch(campaign, cycle, steps, into);
+  const auto record = read_mixing(campaign.mill, into);
+  steps.settle_steps = record.steps();
+  check_stretch(campaign, cycle, steps, into);
+  progress.say(fmt::format("cycle {}: {}", cycle, spoken_mixing(record)));
+}
+
 }  // namespace
 
 void write_mixing_deck(const Campaign& campaign, int cycle, const fs::path& into) {
@@ -256,6 +279,7 @@ void mix_stage(const Campaign& campaign, int cycle, const fs::path& into, Progre
   const auto steps = liggghts::mixing_steps(campaign.mill, plan_steps(campaign.mill));
   check_free_disk(campaign.mill, steps, into);
   write_mixing_deck(campaign, cycle, into);
+  if (campaign.mill.dem.mix_until_steady) return mix_until_steady(campaign, cycle, into, progress);
   run_liggghts({into, campaign.ranks, step_follower({cycle, StageKind::mix}, steps, progress)}, {});
   check_stretch(campaign, cycle, steps, into);
 }

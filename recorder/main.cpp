@@ -5,12 +5,9 @@
 #include <liggghts/universe.h>
 #include <mpi.h>
 
-#include <algorithm>
-#include <array>
 #include <csignal>
 #include <cstdio>
-#include <fstream>
-#include <iterator>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,9 +18,11 @@
 #include "mill/failure.h"
 #include "recorder/build_check.h"
 #include "recorder/collision_spool.h"
-#include "recorder/deck_lines.h"
+#include "recorder/deck_run.h"
 #include "recorder/leak_check.h"
+#include "recorder/mixing_options.h"
 #include "recorder/recording_plan.h"
+#include "recorder/steady_mixing_run.h"
 #include "recorder/stretch_recorder.h"
 
 namespace {
@@ -31,25 +30,14 @@ namespace {
 using namespace millwear;
 using namespace millwear::recorder;
 
-std::string text_of(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw InputError(file.string() + ": there is no such deck");
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 std::unique_ptr<LAMMPS_NS::LAMMPS> start_liggghts() {
   std::vector<std::string> words = {"liggghts", "-log", "none"};
   std::vector<char*> arguments;
   for (auto& word : words) arguments.push_back(word.data());
-  return std::make_unique<LAMMPS_NS::LAMMPS>(static_cast<int>(arguments.size()), arguments.data(),
-                                             MPI_COMM_WORLD);
-}
-
-/// Commands with which a deck does not run from its top to its bottom on one LIGGGHTS.
-bool leaves_the_way(std::string_view command) {
-  constexpr std::array<std::string_view, 7> commands = {"clear", "if",   "jump",     "label",
-                                                        "next",  "quit", "partition"};
-  return std::ranges::find(commands, command) != commands.end();
+  auto liggghts = std::make_unique<LAMMPS_NS::LAMMPS>(static_cast<int>(arguments.size()),
+                                                      arguments.data(), MPI_COMM_WORLD);
+  check_build(liggghts_build, liggghts->universe->version);
+  return liggghts;
 }
 
 void check_folder_of(const std::filesystem::path& file) {
@@ -59,15 +47,19 @@ void check_folder_of(const std::filesystem::path& file) {
         fmt::format("{}: there is no folder {} to write it into", file.string(), folder.string()));
 }
 
+bool is_first_rank() {
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  return rank == 0;
+}
+
 /// What an earlier recording left must not be taken for the result of one that fails.
 void remove_old_results(const RecordingPlan& plan) {
   check_folder_of(plan.load);
   if (plan.events) check_folder_of(*plan.events);
-  int rank = 0;
   int ranks = 1;
-  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);
-  if (rank != 0) return;
+  if (!is_first_rank()) return;
   std::filesystem::remove(plan.load);
   if (plan.events) remove_old_collisions(*plan.events, ranks);
 }
@@ -76,39 +68,20 @@ void remove_old_results(const RecordingPlan& plan) {
 class RecordedDeck {
  public:
   explicit RecordedDeck(const RecordingPlan& plan)
-      : plan_(plan), mill_(read_case(plan.mill)), liggghts_(start_liggghts()) {
-    check_build(liggghts_build, liggghts_->universe->version);
-  }
+      : plan_(plan), mill_(read_case(plan.mill)), liggghts_(start_liggghts()) {}
 
   void run() {
-    run_file(plan_.deck);
+    run_deck(*liggghts_, plan_.deck, [this](const std::string& line) { run_line(line); });
     if (!recorder_) throw InputError(plan_.deck.string() + ": the deck has no `run`");
     recorder_->publish();
   }
 
  private:
-  void run_file(const std::filesystem::path& file) {
-    for (const auto& line : deck_lines(text_of(file))) {
-      const auto command = command_of(line);
-      if (command == "include")
-        run_file(argument_of(line));
-      else if (leaves_the_way(command))
-        throw InputError(fmt::format(
-            "{}: `{}`: the recorder runs a deck from top to bottom; write the deck without `{}`, "
-            "or set wall_contacts = \"dumps\"",
-            file.string(), line, command));
-      else
-        run_line(line);
-    }
-  }
-
   void run_line(const std::string& line) {
-    if (command_of(line) == "run") {
-      if (!recorder_) begin_to_record();
-      recorder_->before_run();
-    }
+    if (!recorder_) begin_to_record();
+    recorder_->before_run();
     liggghts_->input->one(line.c_str());
-    if (command_of(line) == "run") go_on();
+    go_on();
   }
 
   /// Set up anew, LIGGGHTS would order its neighbours anew and end in other bits than one long run.
@@ -132,6 +105,19 @@ class RecordedDeck {
   std::optional<StretchRecorder> recorder_;
 };
 
+void record(const std::vector<std::string>& arguments) {
+  const RecordingPlan plan = recording_plan(arguments);
+  remove_old_results(plan);
+  RecordedDeck(plan).run();
+}
+
+void mix(const std::vector<std::string>& arguments) {
+  const MixingOptions options = mixing_options(arguments);
+  check_folder_of(options.record);
+  if (is_first_rank()) std::filesystem::remove(options.record);
+  mix_until_steady(*start_liggghts(), options);
+}
+
 /// Like LIGGGHTS itself: a run that is told to stop ends with its step.
 void heed_signals() {
   struct sigaction action = {};
@@ -151,8 +137,9 @@ void heed_signals() {
 
 int main(int argc, char** argv) {
   const std::vector<std::string> arguments(argv + 1, argv + argc);
-  if (arguments == std::vector<std::string>{"--help"}) {
-    fmt::print("{}", recording_help());
+  const bool mixes = !arguments.empty() && arguments.front() == "mix";
+  if (!arguments.empty() && arguments.back() == "--help") {
+    fmt::print("{}", mixes ? mixing_help() : recording_help());
     return 0;
   }
   heed_signals();
@@ -161,9 +148,10 @@ int main(int argc, char** argv) {
     MPI_Init(&argc, &argv);
   }
   try {
-    const RecordingPlan plan = recording_plan(arguments);
-    remove_old_results(plan);
-    RecordedDeck(plan).run();
+    if (mixes)
+      mix({arguments.begin() + 1, arguments.end()});
+    else
+      record(arguments);
   } catch (const Failure& failure) {
     give_up(failure.what(), failure.exit_code);
   } catch (const std::exception& problem) {

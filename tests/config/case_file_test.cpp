@@ -86,6 +86,7 @@ TEST(Defaults, AreThoseOfTheManual) {
   EXPECT_DOUBLE_EQ(mill.campaign.plate_limit, 0.002);
   EXPECT_FALSE(mill.dem.keep_dumps);
   EXPECT_FALSE(mill.dem.keep_events);
+  EXPECT_FALSE(mill.dem.mix_until_steady);
   EXPECT_EQ(mill.dem.pair_revolutions, 0.02);
   EXPECT_EQ(mill.wear.excess_speed, 0.1);
 }

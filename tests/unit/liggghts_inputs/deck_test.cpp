@@ -1,10 +1,12 @@
 #include "liggghts_inputs/deck.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <array>
 
+#include "mill/steady_mixing.h"
 #include "tests/unit/mill/example_case.h"
 
 namespace millwear::liggghts {
@@ -42,6 +44,18 @@ TEST(Deck, GivesEveryMeshAnIdOfItsOwn) {
   EXPECT_THAT(liner_deck(StretchKind::mix, 0), HasSubstr("fix liner_000_mix all mesh/surface"));
   EXPECT_THAT(liner_deck(StretchKind::measure, 0), HasSubstr("fix liner_000 all mesh/surface"));
   EXPECT_THAT(liner_deck(StretchKind::measure, 12), HasSubstr("fix liner_012 all mesh/surface"));
+}
+
+TEST(Deck, OfAMixingThatEndsOnceItIsSteadyAveragesOverItsPieces) {
+  Case mill = example_case();
+  EXPECT_THAT(mixing_deck(mill, steps), Not(HasSubstr("drift")));
+  mill.dem.mix_until_steady = true;
+  const long piece = mixing_plan(mill, plan_steps(mill)).piece;
+  EXPECT_THAT(
+      mixing_deck(mill, steps),
+      HasSubstr(fmt::format("fix           drift all ave/time 1 {0} {0} v_torque c_kinetic\n"
+                            "run           24000\n",
+                            piece)));
 }
 
 // G = 7.752e10 / 100, nu = 0.29: E = 2 G (1 + nu) = 2.000016e9 Pa.

@@ -25,6 +25,16 @@ TEST(StretchSteps, AreWholeRevolutionsWhereAsked) {
   EXPECT_EQ(measuring.samples(), 750);
 }
 
+// 40 rows are mixed in pieces of two pitches.
+TEST(StretchSteps, OfAMixingThatMayEndEarlyAreWholePieces) {
+  Case mill = example_case();
+  mill.liner.sector.rows = 40;
+  mill.dem.mix_revolutions = 0.41;  // 16.4 pitches
+  EXPECT_EQ(mixing_steps(mill, plan).total(), 17 * 1250);
+  mill.dem.mix_until_steady = true;
+  EXPECT_EQ(mixing_steps(mill, plan).total(), 18 * 1250);
+}
+
 RC_GTEST_PROP(StretchSteps, TakeWholePitchesAndNotLessThanAsked, ()) {
   Case mill = example_case();
   mill.liner.sector.rows = *rc::gen::inRange(3, 90);

@@ -58,12 +58,16 @@ TEST(LockedCase, KeepsEverySetting) {
   mill.dem.skin = 0.0123;
   mill.dem.keep_dumps = true;
   mill.dem.seed = 4711;
+  EXPECT_EQ(locked_case_text(mill).find("mix_until_steady"), std::string::npos);
+  mill.dem.contact_path = ContactPath::recorder;
+  mill.dem.mix_until_steady = true;
   const Case back = read_back(mill);
   EXPECT_EQ(locked_case_text(back), locked_case_text(mill));
   EXPECT_EQ(back.dem.time_step, mill.dem.time_step);
   EXPECT_EQ(back.dem.skin, mill.dem.skin);
   EXPECT_EQ(back.dem.rolling_friction, RollingFriction::epsd2);
   EXPECT_TRUE(back.dem.keep_dumps);
+  EXPECT_TRUE(back.dem.mix_until_steady);
   EXPECT_EQ(back.dem.seed, 4711U);
 }
 

@@ -53,7 +53,7 @@ case_of() {
     sizes { print "  " scaled($0) ","; next }
     /^rayleigh_fraction/ { print "rayleigh_fraction =", rayleigh; next }
     /^mix_until_steady/ { next }
-    /^mix_revolutions/ { print "mix_revolutions = 0.9\nseed = " seed "\nranks = 1"; next }
+    /^mix_revolutions/ { print "mix_revolutions = 0.9\nseed = " seed "\nranks = 1\nskin_m =", 0.42 * cut * grain; next }
     /^measure_revolutions/ { print "measure_revolutions = 0.5"; next }
     /^pair_revolutions/ { print "pair_revolutions = 0"; next }
     /^cycle_limit/ { print "cycle_limit = 1"; next }

@@ -24,14 +24,6 @@ namespace {
 namespace fs = std::filesystem;
 namespace names = liggghts::file_names;
 
-std::vector<liggghts::Snapshot> without_spin(std::vector<liggghts::Snapshot> spins) {
-  constexpr std::size_t first_spin_column = 9;
-  for (auto& snapshot : spins)
-    for (std::size_t i = 0; i < snapshot.values.size(); ++i)
-      if (i % liggghts::spin_columns >= first_spin_column) snapshot.values[i] = 0.0;
-  return spins;
-}
-
 }  // namespace
 
 ScratchFolder::ScratchFolder() {
@@ -148,11 +140,9 @@ std::vector<liggghts::Snapshot> snapshots_of(const std::string& dump, std::size_
 }
 
 void join_dumps(const Case& mill, const liggghts::StretchSteps& steps, const Dumps& dumps,
-                const liggghts::ContactJoin::Take& take, Spin spin,
-                const liggghts::ContactJoin::Take& begin) {
+                const liggghts::ContactJoin::Take& take, const liggghts::ContactJoin::Take& begin) {
   liggghts::ContactJoin join(mill, steps, take, begin);
-  auto spins = snapshots_of(dumps.spins, liggghts::spin_columns);
-  if (spin == Spin::dropped) spins = without_spin(std::move(spins));
+  const auto spins = snapshots_of(dumps.spins, liggghts::spin_columns);
   for (const auto& snapshot : snapshots_of(dumps.contacts, liggghts::contact_columns))
     join.take_contacts(snapshot);
   for (const auto& snapshot : spins) join.take_spins(snapshot);
@@ -160,11 +150,11 @@ void join_dumps(const Case& mill, const liggghts::StretchSteps& steps, const Dum
 }
 
 WallLoad load_of(const Case& mill, const liggghts::StretchSteps& steps, const LinerProfile& liner,
-                 const Dumps& dumps, Spin spin) {
+                 const Dumps& dumps) {
   wear::LoadAccumulator accumulator(
       liner, wear::load_measurement(mill, steps.measure_time(), steps.sample_interval(), 0));
   join_dumps(
-      mill, steps, dumps, [&](const WallContacts& sample) { accumulator.add(sample); }, spin,
+      mill, steps, dumps, [&](const WallContacts& sample) { accumulator.add(sample); },
       [&](const WallContacts& sample) { accumulator.begin_with(sample); });
   const WallLoad load = accumulator.finish().load;
   wear::check_rejected_share(load, 0.0);

@@ -67,18 +67,15 @@ Recording record_deck(const Case& mill, const liggghts::StretchSteps& steps,
 [[nodiscard]] std::vector<liggghts::Snapshot> snapshots_of(const std::string& dump,
                                                            std::size_t columns);
 
-/// Hands every joined sample of the dumps to `take`. Without spin the particles' angular velocity
-/// is taken for zero, as if it were not dumped.
-enum class Spin { kept, dropped };
+/// Hands every joined sample of the dumps to `take`.
 void join_dumps(const Case& mill, const liggghts::StretchSteps& steps, const Dumps& dumps,
-                const liggghts::ContactJoin::Take& take, Spin spin = Spin::kept,
+                const liggghts::ContactJoin::Take& take,
                 const liggghts::ContactJoin::Take& begin = {});
 
 /// The load of the dumps on `liner`, as the program accumulates it. Throws ResultRejected where a
 /// contact lies off the profile.
 [[nodiscard]] WallLoad load_of(const Case& mill, const liggghts::StretchSteps& steps,
-                               const LinerProfile& liner, const Dumps& dumps,
-                               Spin spin = Spin::kept);
+                               const LinerProfile& liner, const Dumps& dumps);
 
 /// Steel that Archard's law takes from the whole liner during the measurement [m3].
 [[nodiscard]] double worn_volume(const Case& mill, const WallLoad& load);

@@ -49,7 +49,8 @@ function fillNewAndWorn() {
   const motion = (key, turn) => (one) => ({value: turn(one[key].value), error: turn(one[key].error)});
   const share = (key, whole) => (one) => {
     const of = whole(one);
-    return {value: of > 0 ? inPercent(one[key].value / of) : null, error: of > 0 ? inPercent(one[key].error / of) : null};
+    const per = (value) => known(value) && of > 0 ? inPercent(value / of) : null;
+    return {value: per(one[key].value), error: per(one[key].error)};
   };
   const allHits = (one) => one.bare_hit_power.value;
   const rows = [

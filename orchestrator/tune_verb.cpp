@@ -100,6 +100,7 @@ void run_one(const Campaign& campaign, StageKind kind, Progress& progress, doubl
 /// A charge like the campaign's, in flight and in contact, in the trial's folder.
 void make_charge(Campaign campaign, Progress& progress) {
   campaign.mill.dem.mix_revolutions = flight_revolutions;
+  campaign.mill.dem.mix_until_steady = false;
   progress.say(fmt::format("a new charge moves for {:g} revolutions first", flight_revolutions));
   run_one(campaign, StageKind::mesh, progress, 0.0, 0.0);
   run_one(campaign, StageKind::mix, progress, 0.0, share_before_trial);

@@ -66,12 +66,12 @@ void time_or_refuse(const TrialBench& bench, SkinTrial& trial) {
 
 std::string spoken_choice(const Tuning& tuning, const Case& mill) {
   const double untuned = liggghts::neighbour_skin(mill);
-  std::string text = fmt::format("neighbour skin {:.4g} mm, {:.4g} steps a second",
-                                 1e3 * tuning.skin, steps_per_second(tuning, chosen_trial(tuning)));
+  std::string text = fmt::format("neighbour skin {:.4g} mm, {} steps a second", 1e3 * tuning.skin,
+                                 spoken_speed(tuning, chosen_trial(tuning)));
   for (const auto& trial : tuning.trials)
     if (trial.skin == untuned && trial.refused.empty() && trial.skin != tuning.skin)
-      text += fmt::format(" ({:.4g} mm without the trial: {:.4g})", 1e3 * untuned,
-                          steps_per_second(tuning, trial));
+      text += fmt::format(" ({:.4g} mm without the trial: {})", 1e3 * untuned,
+                          spoken_speed(tuning, trial));
   return text;
 }
 

@@ -85,10 +85,15 @@ std::string tuning_text(const Tuning& tuning) {
   for (const auto& trial : tuning.trials) text += table_row(tuning, trial);
   const auto& chosen = chosen_trial(tuning);
   return text + fmt::format(
-                    "{:.4g} mm: {:.4g} steps a second, {:.4g} s of the mill in an hour. For the "
+                    "{:.4g} mm: {} steps a second, {:.4g} s of the mill in an hour. For the "
                     "case:\n[dem]\n{}\n",
-                    1e3 * tuning.skin, steps_per_second(tuning, chosen),
+                    1e3 * tuning.skin, spoken_speed(tuning, chosen),
                     simulated_seconds_per_hour(tuning, chosen), dem_line(tuning));
+}
+
+std::string spoken_speed(const Tuning& tuning, const SkinTrial& trial) {
+  const double speed = steps_per_second(tuning, trial);
+  return speed < 100.0 ? fmt::format("{:.3g}", speed) : fmt::format("{:.0f}", speed);
 }
 
 std::string dem_line(const Tuning& tuning) { return fmt::format("skin_m = {}", tuning.skin); }

@@ -16,6 +16,9 @@ namespace millwear::orchestrator {
 /// A table of the trials, the fastest skin, and what to write into the case.
 [[nodiscard]] std::string tuning_text(const Tuning& tuning);
 
+/// "43.2" or "1286" steps a second.
+[[nodiscard]] std::string spoken_speed(const Tuning& tuning, const SkinTrial& trial);
+
 /// "skin_m = 0.0212": the line for [dem].
 [[nodiscard]] std::string dem_line(const Tuning& tuning);
 

@@ -99,6 +99,8 @@ TEST(Tuning, TellsItsSpeed) {
   EXPECT_EQ(chosen.skin, 0.02);
   EXPECT_DOUBLE_EQ(steps_per_second(example_tuning, chosen), 100.0);
   EXPECT_DOUBLE_EQ(simulated_seconds_per_hour(example_tuning, chosen), 18.0);
+  EXPECT_EQ(spoken_speed(example_tuning, chosen), "100");
+  EXPECT_EQ(spoken_speed(example_tuning, example_tuning.trials[1]), "80");
   EXPECT_EQ(dem_line(example_tuning), "skin_m = 0.02");
   EXPECT_THAT(tuning_text(example_tuning),
               AllOf(HasSubstr("refused: too thin"), HasSubstr("[dem]\nskin_m = 0.02\n")));

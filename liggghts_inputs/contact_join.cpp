@@ -119,8 +119,7 @@ WallContact ContactJoin::contact_from(std::span<const double> row, long step) co
   const ContactMotion motion = contact_motion(arm, particle.radius, velocity, particle.spin);
   const double force = -vector_at(row, 5).dot(motion.into_wall);
   const double friction = friction_[particle.particle_class];
-  const bool slips = slides(vector_at(row, 8).norm(), force, friction);
-  const double slip = slips ? motion.slip.norm() : 0.0;
+  const double slip = sliding_speed(motion.slip, vector_at(row, 8), force, friction);
   return {.point = point,
           .into_wall = motion.into_wall,
           .normal_force = force,

@@ -15,9 +15,14 @@ ContactMotion contact_motion(const Eigen::Vector3d& arm, double radius,
   return {into_wall, closing, surface - closing * into_wall, velocity.norm()};
 }
 
-bool slides(double tangential_force, double normal_force, double friction) {
+double sliding_speed(const Eigen::Vector3d& slip, const Eigen::Vector3d& tangential_force,
+                     double normal_force, double friction) {
   constexpr double rounding = 1e-6;
-  return tangential_force >= (1.0 - rounding) * friction * std::abs(normal_force);
+  const double force = tangential_force.norm();
+  const double limit = friction * std::abs(normal_force);
+  if (friction == 0.0) return slip.norm();
+  if (force == 0.0 || force < (1.0 - rounding) * limit) return 0.0;
+  return std::max(0.0, -tangential_force.dot(slip) / force);
 }
 
 double finnie_power(const Eigen::Vector3d& velocity, const Eigen::Vector3d& arm,

@@ -20,10 +20,14 @@ struct ContactMotion {
                                            const Eigen::Vector3d& velocity,
                                            const Eigen::Vector3d& spin);
 
-/// Whether the surfaces of a contact slide: its tangential force [N] is all that friction allows,
-/// mu |Fn|. Below that they hold, and what moves along the wall is the spring between them, which
-/// gives its work back. LIGGGHTS cuts the force to mu |Fn| exactly.
-[[nodiscard]] bool slides(double tangential_force, double normal_force, double friction);
+/// Speed at which the surfaces of a contact slide [m/s]: 0 while friction holds them, that is while
+/// the tangential force on the particle [N] is below mu |Fn|, and else the part of `slip` against
+/// that force. What moves along the wall besides is the spring between the surfaces, which gives
+/// its work back. Without friction all of `slip` is sliding. LIGGGHTS cuts the force to mu |Fn|
+/// exactly.
+[[nodiscard]] double sliding_speed(const Eigen::Vector3d& slip,
+                                   const Eigen::Vector3d& tangential_force, double normal_force,
+                                   double friction);
 
 /// Finnie's erosion as LIGGGHTS integrates it over a contact [W]: 2 f(a) |v| |F| while the centre
 /// approaches (v . arm >= 0), 0 while it leaves, where sin(a) = |v . n| / |v| and

@@ -137,21 +137,21 @@ WallContact StretchRecorder::contact_from(const WallTouch& touch, Company compan
   const double pushed = -touch.force.dot(motion.into_wall);
   const Vector3d tangential = touch.force + pushed * motion.into_wall;
   const std::size_t kind = class_of_particle(i);
-  const bool slips = slides(tangential.norm(), pushed, friction_against_liner_[kind]);
-  return {.point = at(atom.x, i) + touch.arm,
-          .into_wall = motion.into_wall,
-          .normal_force = pushed,
-          .slip_speed = slips ? motion.slip.norm() : 0.0,
-          .normal_speed = motion.normal_speed,
-          .impact_speed = touch.approach.norm(),
-          .impact_normal_speed = touch.approach.dot(motion.into_wall),
-          .shear_power = -tangential.dot(motion.slip),
-          .finnie_power =
-              finnie_power(touch.approach, touch.arm, touch.wall_normal, touch.force.norm()),
-          .particle_class = kind,
-          .particle = static_cast<std::size_t>(atom.tag[i]),
-          .triangle = static_cast<std::size_t>(touch.triangle),
-          .company = company};
+  return {
+      .point = at(atom.x, i) + touch.arm,
+      .into_wall = motion.into_wall,
+      .normal_force = pushed,
+      .slip_speed = sliding_speed(motion.slip, tangential, pushed, friction_against_liner_[kind]),
+      .normal_speed = motion.normal_speed,
+      .impact_speed = touch.approach.norm(),
+      .impact_normal_speed = touch.approach.dot(motion.into_wall),
+      .shear_power = -tangential.dot(motion.slip),
+      .finnie_power =
+          finnie_power(touch.approach, touch.arm, touch.wall_normal, touch.force.norm()),
+      .particle_class = kind,
+      .particle = static_cast<std::size_t>(atom.tag[i]),
+      .triangle = static_cast<std::size_t>(touch.triangle),
+      .company = company};
 }
 
 void StretchRecorder::check_that_it_turns(const WallTouch& touch) const {

@@ -7,7 +7,7 @@
 set -eu
 here=$(cd "$(dirname "$0")/../.." && pwd)
 dir=$1; shift
-all="base other_seed stiff soft10 cut45 cut45_soft10 cut31_soft10 cut22_soft10 grain14 wide step15"
+all="base other_seed stiff stiff_ore soft10 cut45 cut45_soft10 cut31_soft10 cut22_soft10 grain14 wide step15"
 [ $# -gt 0 ] || set -- $all
 millwear=${MILLWEAR:-$here/build/release/millwear}
 mkdir -p "$dir"
@@ -20,6 +20,7 @@ settings() {
     base) ;;
     other_seed) seed=2 ;;
     stiff) steel=100 ;;
+    stiff_ore) steel=100 ore=25 ;;
     soft10) steel=4000 ore=1000 ;;
     cut45) cut=0.045 ;;
     cut45_soft10) cut=0.045 steel=4000 ore=1000 ;;

@@ -77,10 +77,10 @@ TEST(ContactJoin, AContactThatHoldsDoesNotSlide) {
   touch.velocity = {1.0, 0.0, 0.0};
   const double most =
       pair_of(example_case(), 0, example_case().liner_material).sliding_friction * 12.0;
-  touch.tangential_force = {0.0, 1.001 * most, 0.0};
+  touch.tangential_force = {-1.001 * most, 0.0, 0.0};
   EXPECT_NEAR(joined(touch).slip_speed, 1.0, 1e-12);
   EXPECT_NEAR(joined(touch).shear_power, most, 1e-12);
-  touch.tangential_force = {0.0, 0.999 * most, 0.0};
+  touch.tangential_force = {-0.999 * most, 0.0, 0.0};
   EXPECT_EQ(joined(touch).slip_speed, 0.0);
   EXPECT_EQ(joined(touch).shear_power, 0.0);
 }
@@ -109,6 +109,7 @@ TEST(ContactJoin, SpinningSphereSlipsBySpinTimesRadius) {
 TEST(ContactJoin, RollingSphereDoesNotSlip) {
   Touch touch;
   touch.velocity = {1.0, 0.0, 0.0};
+  touch.tangential_force = {-100.0, 0.0, 0.0};
   EXPECT_NEAR(joined(touch).slip_speed, 1.0, 1e-12);
   touch.spin = {0.0, 1.0 / radius, 0.0};
   EXPECT_NEAR(joined(touch).slip_speed, 0.0, 1e-12);
@@ -117,6 +118,7 @@ TEST(ContactJoin, RollingSphereDoesNotSlip) {
 // The mill turns about +y, so its floor moves to -x with 3 x 0.5 = 1.5 m/s.
 TEST(ContactJoin, SphereCarriedByTheTurningWallDoesNotSlip) {
   Touch touch;
+  touch.tangential_force = {-100.0, 0.0, 0.0};
   EXPECT_NEAR(joined(touch, 3.0).slip_speed, 1.5, 1e-12);
   touch.velocity = {-1.5, 0.0, 0.0};
   EXPECT_NEAR(joined(touch, 3.0).slip_speed, 0.0, 1e-12);
@@ -125,6 +127,7 @@ TEST(ContactJoin, SphereCarriedByTheTurningWallDoesNotSlip) {
 TEST(ContactJoin, ClosingSpeedIsPositiveOnApproachAndNoSlip) {
   Touch touch;
   touch.velocity = {0.3, 0.4, -2.0};
+  touch.tangential_force = {-60.0, -80.0, 0.0};
   EXPECT_NEAR(joined(touch).normal_speed, 2.0, 1e-12);
   EXPECT_NEAR(joined(touch).slip_speed, 0.5, 1e-12);
   touch.force = {0.0, 0.0, -1.0};
@@ -138,6 +141,7 @@ TEST(ContactJoin, ArmReachesAcrossThePeriodicEdge) {
     touch.centre.y() = y;
     touch.point.y() = slice - y;
     touch.spin = {40.0, 0.0, 0.0};
+    touch.tangential_force = {0.0, -100.0, 0.0};
     Touch inside = touch;
     inside.centre.y() = 0.1;
     inside.point.y() = 0.1 + (y < 0.1 ? -0.002 : 0.002);

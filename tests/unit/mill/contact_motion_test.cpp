@@ -93,13 +93,23 @@ TEST(Finnie, TakesTheWallsNormalEitherWay) {
             finnie_power(velocity, 0.05 * down, -down, 10.0));
 }
 
-// mu Fn = 3 N: all that friction gives. LIGGGHTS takes |Fn| also while damping pulls.
+// mu Fn = 3 N is all that friction gives. LIGGGHTS takes |Fn| also while damping pulls.
 TEST(ContactMotion, SlidesWhereFrictionGivesAllItCan) {
-  EXPECT_TRUE(slides(3.0, 10.0, 0.3));
-  EXPECT_TRUE(slides(3.0 * (1.0 - 1e-9), 10.0, 0.3)) << "rounding";
-  EXPECT_TRUE(slides(3.0, -10.0, 0.3));
-  EXPECT_FALSE(slides(2.99, 10.0, 0.3));
-  EXPECT_FALSE(slides(0.0, 10.0, 0.3));
+  const Vector3d slip{2.0, 0.0, 0.0};
+  const auto against = [](double force) { return Vector3d{-force, 0.0, 0.0}; };
+  EXPECT_EQ(sliding_speed(slip, against(3.0), 10.0, 0.3), 2.0);
+  EXPECT_EQ(sliding_speed(slip, against(3.0 * (1.0 - 1e-9)), 10.0, 0.3), 2.0) << "rounding";
+  EXPECT_EQ(sliding_speed(slip, against(3.0), -10.0, 0.3), 2.0);
+  EXPECT_EQ(sliding_speed(slip, against(2.99), 10.0, 0.3), 0.0);
+  EXPECT_EQ(sliding_speed(slip, against(0.0), 10.0, 0.3), 0.0);
+  EXPECT_EQ(sliding_speed(slip, against(0.0), 10.0, 0.0), 2.0) << "without friction";
+}
+
+// At the limit, what moves across the force or with it is the spring alone.
+TEST(ContactMotion, SlidesAgainstTheForceOnly) {
+  EXPECT_NEAR(sliding_speed({3.0, 4.0, 0.0}, {-3.0, 0.0, 0.0}, 10.0, 0.3), 3.0, 1e-15);
+  EXPECT_EQ(sliding_speed({0.0, 4.0, 0.0}, {-3.0, 0.0, 0.0}, 10.0, 0.3), 0.0);
+  EXPECT_EQ(sliding_speed({-3.0, 0.0, 0.0}, {-3.0, 0.0, 0.0}, 10.0, 0.3), 0.0);
 }
 
 }  // namespace

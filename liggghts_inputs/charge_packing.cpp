@@ -14,7 +14,10 @@
 namespace millwear::liggghts {
 namespace {
 
-constexpr double loose_solid_fraction = 0.26;
+// Denser takes many more tries: 0.36 twice those of 0.34, 0.40 fifteen times.
+constexpr double loose_solid_fraction = 0.34;
+// The surface of a charge in motion, from shoulder to toe, leans by about this angle.
+constexpr double lean = 40.0 * std::numbers::pi / 180.0;
 constexpr int tries_per_particle = 20000;
 constexpr double clearance = 1e-6;
 constexpr double box_margin = 1.02;
@@ -114,6 +117,17 @@ double level_for_area(double radius, double area) {
 /// A draw in [0, 1) that is the same on every platform.
 double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1.0p-53; }
 
+/// A place in the mill's square under a level `top` [m] above the axis that leans as a charge does
+/// that is carried up, with the highest part on the rising side.
+Eigen::Vector3d place_under(double top, double radius, double slice_length,
+                            std::mt19937_64& random) {
+  const double across = radius * (2.0 * uniform(random) - 1.0);
+  const double along_axis = slice_length * uniform(random);
+  const double up = -radius + (radius + top) * uniform(random);
+  return {across * std::cos(lean) + up * std::sin(lean), along_axis,
+          up * std::cos(lean) - across * std::sin(lean)};
+}
+
 }  // namespace
 
 std::vector<PlacedParticle> pack_charge(const Case& mill) {
@@ -135,9 +149,7 @@ std::vector<PlacedParticle> pack_charge(const Case& mill) {
       while (true) {
         // Half-way through the tries the whole mill is opened to a particle that found no place.
         const double top = tries < tries_per_particle / 2 ? loose_top : plate;
-        const Eigen::Vector3d centre(plate * (2.0 * uniform(random) - 1.0),
-                                     mill.slice_length * uniform(random),
-                                     -plate + (plate + top) * uniform(random));
+        const Eigen::Vector3d centre = place_under(top, plate, mill.slice_length, random);
         if (++tries > tries_per_particle)
           throw InputError(fmt::format(
               "{}: the charge does not fit: {} of {} particles of {} m find no place ({:.1f} % of "

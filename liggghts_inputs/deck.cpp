@@ -89,10 +89,7 @@ std::string measure_runs(const StretchSteps& steps) {
 
 double neighbour_skin(const Case& mill) {
   if (mill.dem.skin) return *mill.dem.skin;
-  double sum = 0.0;
-  for (const auto& kind : mill.charge.classes)
-    sum += 0.5 * kind.diameter * static_cast<double>(kind.count);
-  return 0.25 * sum / static_cast<double>(totals(mill).particles);
+  return 0.5 * std::ranges::min(mill.charge.classes, {}, &ParticleClass::diameter).diameter;
 }
 
 std::string contact_model_deck(const Case& mill, const StretchSteps& steps,

@@ -24,8 +24,8 @@ inline constexpr const char* spins = "spins.dump";
 inline constexpr const char* torque = "torque.txt";
 }  // namespace file_names
 
-/// The neighbour skin the deck uses [m]: the case's, or by default a quarter of the charge's mean
-/// radius by number.
+/// The neighbour skin the deck uses [m]: the case's, or by default the least particle's
+/// radius (docs/guide.md).
 [[nodiscard]] double neighbour_skin(const Case& mill);
 
 /// Which mesh stands in the mill: every cycle's mesh has an ID of its own (see

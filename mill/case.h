@@ -74,7 +74,7 @@ struct DemSettings {
   ContactPath contact_path;
   int sample_every_steps;      ///< steps between two samples of the wall contacts
   int ranks;                   ///< MPI ranks; 0 takes every core
-  std::optional<double> skin;  ///< neighbour skin [m]; by default a quarter of the mean radius
+  std::optional<double> skin;  ///< neighbour skin [m]; by default the least particle radius
   double mesh_tolerance;       ///< mesh against profile, share of the least particle radius
   std::uint64_t seed;          ///< of the first packing
   bool keep_dumps;             ///< keep the contact dumps as files

@@ -161,7 +161,7 @@ constexpr KeySpec keys[] = {
     {"dem", "ranks", integer, defaulted, "0", between(0, 100000), "",
      "MPI ranks; 0 takes every core"},
     {"dem", "skin_m", real, optional, "", positive, "",
-     "neighbour skin; a quarter of the mean radius where it is missing [m]"},
+     "neighbour skin; the least particle's radius where it is missing [m]"},
     {"dem", "tune", boolean, defaulted, "false", any, "",
      "`millwear run` chooses the neighbour skin by a short trial on the mixed charge; in place of "
      "`skin_m`"},

@@ -7,7 +7,7 @@
 set -eu
 cd "$(dirname "$0")/../.."
 rounds=${1:-5} steps=${2:-300} ranks=${3:-2}
-pitches=13
+pitches=6
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 root=""; [ "$(id -u)" -ne 0 ] || root=--allow-run-as-root

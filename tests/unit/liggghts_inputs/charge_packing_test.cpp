@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "mill/failure.h"
 #include "mill/mill_frame.h"
@@ -102,6 +103,17 @@ TEST(PackCharge, SameSeedGivesTheSameBytesAndAnotherSeedDoesNot) {
   EXPECT_EQ(charge_data_file(mill, pack_charge(mill)), first);
   mill.dem.seed = 2;
   EXPECT_NE(charge_data_file(mill, pack_charge(mill)), first);
+}
+
+// A circle's part below a level that leans by 40 degrees has its middle 40 degrees from six
+// o'clock.
+TEST(PackCharge, LiesLowAndLeansToTheRisingSide) {
+  Case mill = example_case();
+  mill.charge.classes = {{0, 0.03, 1500}};
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const auto& particle : pack_charge(mill)) middle += particle.centre / 1500.0;
+  EXPECT_LT(middle.z(), 0.0);
+  EXPECT_NEAR(angle_from_six_oclock(middle.x(), middle.z()) * 180.0 / std::numbers::pi, 40.0, 5.0);
 }
 
 // 200 balls of 100 mm are 0.105 m3 of steel; 0.2 m of the mill hold less than 0.157 m3, and balls

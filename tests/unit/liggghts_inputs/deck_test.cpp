@@ -81,12 +81,11 @@ TEST(Deck, DumpsTheSpinOfEveryParticleThatCanTouch) {
   EXPECT_NEAR(std::stod(deck.substr(start + before.size())), 0.4337, 1e-9);
 }
 
-// (100 x 25 + 1000 x 15 + 3000 x 10 mm) / 4100 / 4.
-TEST(Deck, SkinIsAQuarterOfTheMeanRadiusUnlessGiven) {
+TEST(Deck, SkinIsTheLeastRadiusUnlessGiven) {
   Case mill = example_case();
-  EXPECT_NEAR(neighbour_skin(mill), 47.5 / 4100.0 / 4.0, 1e-12);
-  mill.dem.skin = 0.01;
   EXPECT_EQ(neighbour_skin(mill), 0.01);
+  mill.dem.skin = 0.02;
+  EXPECT_EQ(neighbour_skin(mill), 0.02);
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "orchestrator/mixing.h"
 #include "orchestrator/motion_of_cycle.h"
 #include "orchestrator/uncertainty.h"
+#include "wear/block_persistence.h"
 #include "wear/load_carrier.h"
 #include "wear/load_rate.h"
 #include "wear/load_store.h"
@@ -47,8 +48,8 @@ LoadLine rate_line(const WallLoad& load, Measure measure, const Eigen::ArrayXd& 
                    const wear::Smoothing& how) {
   const Eigen::MatrixXd by_block = load.by_block(measure);
   const Eigen::VectorXd raw = load.total(measure).array() / divisor;
-  const Eigen::MatrixXd block_rates =
-      (by_block.array().colwise() / divisor).matrix() * static_cast<double>(load.block_count);
+  const Eigen::MatrixXd block_rates = wear::as_independent(
+      (by_block.array().colwise() / divisor).matrix() * static_cast<double>(load.block_count));
   const Eigen::VectorXd positive = raw.cwiseMax(0.0);
   LoadLine line{
       as_vector(raw), as_vector(wear::error_of_mean(block_rates)), as_vector(positive), {}};

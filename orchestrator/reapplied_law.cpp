@@ -9,6 +9,7 @@
 #include "orchestrator/kept_campaign.h"
 #include "orchestrator/measured.h"
 #include "orchestrator/stages.h"
+#include "wear/block_persistence.h"
 #include "wear/load_accumulator.h"
 #include "wear/load_rate.h"
 #include "wear/load_store.h"
@@ -108,7 +109,8 @@ std::vector<WearRateRow> wear_rates(const ReappliedLaw& law, const RunFolder& fo
     for (const auto& mechanism : law.other.wear.mechanisms) {
       const auto weights = wear::weights_of(mechanism, law.other.charge);
       const Eigen::VectorXd rate = wear::depth_rate(weights, load);
-      const Eigen::VectorXd error = wear::error_of_mean(wear::depth_rate_by_block(weights, load));
+      const Eigen::VectorXd error =
+          wear::error_of_mean(wear::as_independent(wear::depth_rate_by_block(weights, load)));
       for (Eigen::Index bin = 0; bin < load.bins(); ++bin)
         rows.push_back({cycle.cycle, number, std::string(name_of(mechanism.law)),
                         static_cast<int>(bin), centres[bin], rate[bin], error[bin]});

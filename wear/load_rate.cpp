@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "wear/block_persistence.h"
 #include "wear/load_accumulator.h"
 #include "wear/wear_law.h"
 
@@ -17,8 +18,8 @@ LoadRate rate_of_load(const Case& mill, const WallLoad& recorded) {
   auto by_contact = weights_of(mill);
   const double corrosion = std::exchange(by_contact.corrosion, 0.0);
   const Eigen::VectorXd raw = depth_rate(by_contact, load);
-  auto smooth =
-      smoothed(load.bin_edges, raw, depth_rate_by_block(by_contact, load), smoothing_of(mill));
+  auto smooth = smoothed(load.bin_edges, raw, as_independent(depth_rate_by_block(by_contact, load)),
+                         smoothing_of(mill));
   if (corrosion > 0.0) {
     smooth.rate.values.array() += corrosion;
     smooth.moved_share *= raw.sum() / smooth.rate.values.sum();

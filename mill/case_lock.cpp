@@ -111,9 +111,7 @@ void write_dem(const DemSettings& dem, LockWriter& lock) {
   lock.key("sample_every_steps", dem.sample_every_steps);
   lock.key("ranks", dem.ranks);
   lock.key_if("skin_m", dem.skin);
-  if (dem.tune) {
-    lock.key("tune", dem.tune);
-  }
+  if (dem.tune) lock.key("tune", true);
   lock.key("mesh_tolerance", dem.mesh_tolerance);
   lock.key("seed", dem.seed);
   lock.key("keep_dumps", dem.keep_dumps);

@@ -217,8 +217,9 @@ constexpr KeySpec keys[] = {
      "share of the new lifter's volume that one DEM load may wear at all (with `adaptive`) [-]"},
     {"campaign", "steps_per_cycle", integer, defaulted, "5", between(1, 1000), "",
      "geometry steps on one DEM load"},
-    {"campaign", "height_limit_m", real, required, "", at_least(0.0), "",
-     "the liner is worn out at this lifter height [m]"},
+    {"campaign", "height_limit_m", real, required, "", at_least(-10.0), "",
+     "the liner is worn out at this lifter height, from where the plate was when new: below 0 the "
+     "crest stands lower than the new plate did [m]"},
     {"campaign", "plate_limit_m", real, optional, "", at_least(0.0), "",
      "... or at this least plate thickness; a tenth of `plate_thickness_m` where missing [m]"},
     {"campaign", "cycle_limit", integer, defaulted, "50", between(1, 10000), "",

@@ -8,6 +8,7 @@
 #include "mill/published_file.h"
 #include "orchestrator/calibrated_law.h"
 #include "orchestrator/gauge_folder.h"
+#include "orchestrator/number_or_null.h"
 #include "orchestrator/verbs.h"
 
 namespace millwear::orchestrator {
@@ -19,11 +20,6 @@ namespace fs = std::filesystem;
 constexpr double half_of_95_percent = 1.96;
 /// Above this share of wear elsewhere, the campaign's shapes are not those of the law found.
 constexpr double elsewhere_of_doubt = 0.05;
-
-/// NaN and infinity have no number in JSON.
-nlohmann::json number(double value) {
-  return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(nullptr);
-}
 
 struct Coefficient {
   const char* key;
@@ -53,10 +49,10 @@ nlohmann::json mechanisms_json(const CalibratedLaw& law) {
     mechanisms.push_back({{"law", name_of(law.other.wear.mechanisms[i].law)},
                           {"key", found.key},
                           {"value", found.value},
-                          {"standard_error", number(found.error)},
-                          {"interval_95", {number(found.low), number(found.high)}},
+                          {"standard_error", number_or_null(found.error)},
+                          {"interval_95", {number_or_null(found.low), number_or_null(found.high)}},
                           {"factor", law.found.fit.factors[m]},
-                          {"chi_square_rise_without", number(law.found.rise_without[m])}});
+                          {"chi_square_rise_without", number_or_null(law.found.rise_without[m])}});
   }
   return mechanisms;
 }
@@ -65,10 +61,10 @@ nlohmann::json alike_json(const CalibratedLaw& law) {
   nlohmann::json alike = nlohmann::json::array();
   for (const auto& pair : law.found.alike)
     alike.push_back({{"mechanisms", {pair.first, pair.second}},
-                     {"correlation", number(pair.correlation)},
+                     {"correlation", number_or_null(pair.correlation)},
                      {"exchangeable", pair.exchangeable},
-                     {"lost_together", number(pair.lost)},
-                     {"standard_error", number(pair.error)},
+                     {"lost_together", number_or_null(pair.lost)},
+                     {"standard_error", number_or_null(pair.error)},
                      {"unit", law.by_section ? "m2" : "m"}});
   return alike;
 }
@@ -81,31 +77,32 @@ nlohmann::json json_of(const CalibratedLaw& law) {
                         {"use", name_of(row.use)},
                         {"measured", row.measured},
                         {"error", row.error},
-                        {"fitted", number(row.fitted)},
-                        {"line", number(row.line)},
-                        {"fitted_without", number(row.fitted_without)},
-                        {"line_without", number(row.line_without)}});
+                        {"fitted", number_or_null(row.fitted)},
+                        {"line", number_or_null(row.line)},
+                        {"fitted_without", number_or_null(row.fitted_without)},
+                        {"line_without", number_or_null(row.line_without)}});
   nlohmann::json rms = nlohmann::json::array();
   for (const auto& sum : law.rms)
     rms.push_back({{"quantity", name_of(sum.quantity)},
                    {"use", name_of(sum.use)},
                    {"readings", sum.readings},
-                   {"fitted", number(sum.fitted)},
-                   {"line", number(sum.line)},
-                   {"fitted_without", number(sum.fitted_without)},
-                   {"line_without", number(sum.line_without)}});
-  return {{"mechanisms", mechanisms_json(law)},
-          {"alike", alike_json(law)},
-          {"chi_square", law.found.fit.chi_square},
-          {"degrees_of_freedom", law.found.freedom},
-          {"error_scale", law.found.error_scale},
-          {"condition_number", number(law.found.condition)},
-          {"readings", readings},
-          {"rms", rms},
-          {"last_liner",
-           {{"lifter_height_m", law.lifter_height}, {"operating_hours", number(law.hours)}}},
-          {"elsewhere", number(law.elsewhere)},
-          {"wear_toml", wear_table(law)}};
+                   {"fitted", number_or_null(sum.fitted)},
+                   {"line", number_or_null(sum.line)},
+                   {"fitted_without", number_or_null(sum.fitted_without)},
+                   {"line_without", number_or_null(sum.line_without)}});
+  return {
+      {"mechanisms", mechanisms_json(law)},
+      {"alike", alike_json(law)},
+      {"chi_square", law.found.fit.chi_square},
+      {"degrees_of_freedom", law.found.freedom},
+      {"error_scale", law.found.error_scale},
+      {"condition_number", number_or_null(law.found.condition)},
+      {"readings", readings},
+      {"rms", rms},
+      {"last_liner",
+       {{"lifter_height_m", law.lifter_height}, {"operating_hours", number_or_null(law.hours)}}},
+      {"elsewhere", number_or_null(law.elsewhere)},
+      {"wear_toml", wear_table(law)}};
 }
 
 /// Without the only mechanism there is no fit.

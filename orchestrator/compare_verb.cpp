@@ -13,6 +13,7 @@
 #include "orchestrator/course_comparison.h"
 #include "orchestrator/gauge_comparison.h"
 #include "orchestrator/gauge_folder.h"
+#include "orchestrator/number_or_null.h"
 #include "orchestrator/report/course_plot.h"
 #include "orchestrator/run_folder.h"
 #include "orchestrator/verbs.h"
@@ -28,10 +29,6 @@ constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
 constexpr double square_centimetres = 1e4;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-Json or_null(const std::optional<double>& value) {
-  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
-}
-
 Json json_of(const ProfileDifference& difference) {
   return {{"lifter_height_m", difference.lifter_height},
           {"face_angle_rad", difference.face_angle},
@@ -43,8 +40,8 @@ Json json_of(const ProfileDifference& difference) {
 }
 
 Json json_of(const GaugeReading& reading) {
-  return {{"lifter_height_m", or_null(reading.lifter_height)},
-          {"plate_thickness_m", or_null(reading.plate_thickness)},
+  return {{"lifter_height_m", number_or_null(reading.lifter_height)},
+          {"plate_thickness_m", number_or_null(reading.plate_thickness)},
           {"face_angle_rad",
            reading.profile ? Json(leading_face_angle(*reading.profile)) : Json(nullptr)},
           {"error_m", reading.error}};
@@ -62,7 +59,7 @@ Json json_of(const std::vector<ReadingComparison>& comparisons) {
     reading["profile_difference"] = difference ? json_of(*difference) : Json(nullptr);
     readings.push_back(std::move(reading));
   }
-  return {{"readings", readings}, {"rms_height_m", or_null(rms_of_heights(comparisons))}};
+  return {{"readings", readings}, {"rms_height_m", number_or_null(rms_of_heights(comparisons))}};
 }
 
 /// A number in a column of nine, or a dash for NaN.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "mill/failure.h"
 #include "orchestrator/course_replicates.h"

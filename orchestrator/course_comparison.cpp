@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "orchestrator/course_verdict.h"
+#include "orchestrator/number_or_null.h"
 #include "orchestrator/results/csv.h"
 
 namespace millwear::orchestrator {
@@ -23,12 +24,10 @@ constexpr CsvFormat format{
     "lifter_height_m_low,lifter_height_m_high,lifter_height_m_line,plate_thickness_m_measured,"
     "plate_thickness_m_predicted,plate_thickness_m_low,plate_thickness_m_high"};
 
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
 Json json_of(const Banded& banded) {
-  return {{"value", number(banded.value)},
-          {"low", number(banded.band.low)},
-          {"high", number(banded.band.high)}};
+  return {{"value", number_or_null(banded.value)},
+          {"low", number_or_null(banded.band.low)},
+          {"high", number_or_null(banded.band.high)}};
 }
 
 /// Without the sign of what rounds to zero.
@@ -96,22 +95,22 @@ std::string course_json(const CalibratedCourse& course) {
   for (const CourseReading& reading : course.readings)
     readings.push_back({{"operating_hours", reading.operating_hours},
                         {"use", spoken(reading.use)},
-                        {"lifter_height_m", number(reading.height.value_or(nan))},
+                        {"lifter_height_m", number_or_null(reading.height)},
                         {"error_m", reading.error},
                         {"predicted_height_m", json_of(reading.predicted)},
                         {"line_height_m", reading.line},
-                        {"plate_thickness_m", number(reading.plate.value_or(nan))},
+                        {"plate_thickness_m", number_or_null(reading.plate)},
                         {"predicted_plate_m", json_of(reading.predicted_plate)}});
   return Json{{"calibrated_until_hours", course.until},
               {"gauge_on", course.gauge_on == GaugeOn::plate ? "plate" : "new-plate"},
               {"factor", json_of(course.factor)},
               {"readings", readings},
               {"held_out", course.held_out},
-              {"rms_height_m", number(course.rms)},
-              {"line_rms_height_m", number(course.line_rms)},
+              {"rms_height_m", number_or_null(course.rms)},
+              {"line_rms_height_m", number_or_null(course.line_rms)},
               {"height_limit_m", course.height_limit},
               {"life_hours", json_of(course.life)},
-              {"line_life_hours", number(course.line_life)},
+              {"line_life_hours", number_or_null(course.line_life)},
               {"verdict", course.verdict},
               {"remarks", course.remarks}}
       .dump(1);

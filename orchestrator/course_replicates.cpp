@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "mill/failure.h"
 #include "wear/random_stream.h"
 

@@ -7,6 +7,7 @@
 #include "mill/failure.h"
 #include "orchestrator/gauge_folder.h"
 #include "orchestrator/gauge_import.h"
+#include "orchestrator/number_or_null.h"
 #include "orchestrator/verbs.h"
 
 namespace millwear::orchestrator {
@@ -54,13 +55,11 @@ ImportRequest request_of(const Command& command, const Case& mill) {
   return request;
 }
 
-Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
-
 void print_json(const ImportRequest& request, const ImportedReading& imported) {
   const GaugeReading& reading = imported.reading;
   Json json{{"operating_hours", reading.operating_hours},
-            {"lifter_height_m", or_null(reading.lifter_height)},
-            {"plate_thickness_m", or_null(reading.plate_thickness)},
+            {"lifter_height_m", number_or_null(reading.lifter_height)},
+            {"plate_thickness_m", number_or_null(reading.plate_thickness)},
             {"error_m", reading.error},
             {"replaced", imported.replaces},
             {"table", (request.folder / gauge_table_name).string()},

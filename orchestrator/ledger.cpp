@@ -21,6 +21,14 @@ namespace {
 constexpr int format_version = 1;
 using nlohmann::json;
 
+json as_json(const CampaignStart& start) {
+  return {{"format_version", format_version},
+          {"program", start.program},
+          {"case_hash", start.case_hash},
+          {"ranks", start.ranks},
+          {"host", start.host}};
+}
+
 json as_json(const LedgerEntry& entry) {
   return {{"cycle", entry.stage.cycle},
           {"stage", name_of(entry.stage.kind)},
@@ -85,13 +93,10 @@ std::optional<Ledger> read_ledger(const std::filesystem::path& file) {
   return ledger;
 }
 
-void begin_ledger(const std::filesystem::path& file, const CampaignStart& start) {
-  const json line = {{"format_version", format_version},
-                     {"program", start.program},
-                     {"case_hash", start.case_hash},
-                     {"ranks", start.ranks},
-                     {"host", start.host}};
-  publish(file, line.dump() + "\n");
+void write_ledger(const std::filesystem::path& file, const Ledger& ledger) {
+  std::string text = as_json(ledger.start).dump() + "\n";
+  for (const auto& entry : ledger.entries) text += as_json(entry).dump() + "\n";
+  publish(file, text);
 }
 
 void append_entry(const std::filesystem::path& file, const LedgerEntry& entry) {

@@ -39,8 +39,8 @@ struct Ledger {
 /// on another format version.
 [[nodiscard]] std::optional<Ledger> read_ledger(const std::filesystem::path& file);
 
-/// Begins a ledger; whatever stood there is replaced.
-void begin_ledger(const std::filesystem::path& file, const CampaignStart& start);
+/// Writes a whole ledger in one go; whatever stood there is replaced.
+void write_ledger(const std::filesystem::path& file, const Ledger& ledger);
 
 /// Appends one line and syncs it to the disk.
 void append_entry(const std::filesystem::path& file, const LedgerEntry& entry);

@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <stdexcept>
 
-#include "mill/failure.h"
+#include "orchestrator/number_or_null.h"
 #include "orchestrator/versioned_json.h"
+#include "orchestrator/whole_file.h"
 #include "wear/measurement_goal.h"
 
 namespace millwear::orchestrator {
@@ -19,21 +18,16 @@ constexpr int measured_version = 3;
 constexpr int steps_version = 1;
 using nlohmann::json;
 
-/// JSON has no NaN: null stands for it.
-json number(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
 double number_from(const json& value) {
   return value.is_null() ? std::nan("") : value.get<double>();
 }
 
-json optional_number(const std::optional<double>& value) {
-  return value ? json(*value) : json(nullptr);
-}
 std::optional<double> optional_from(const json& value) {
   return value.is_null() ? std::nullopt : std::optional(value.get<double>());
 }
 
 json json_of(const wear::Estimate& estimate) {
-  return {{"value", number(estimate.value)}, {"se", number(estimate.error)}};
+  return {{"value", number_or_null(estimate.value)}, {"se", number_or_null(estimate.error)}};
 }
 wear::Estimate estimate_from(const json& value) {
   return {number_from(value.at("value")), number_from(value.at("se"))};
@@ -129,19 +123,19 @@ void write_measured(const std::filesystem::path& file, const Measured& measured)
   const json document = {{"type", "millwear measured"},
                          {"format_version", measured_version},
                          {"power_w", measured.power},
-                         {"power_w_se", number(measured.power_error)},
+                         {"power_w_se", number_or_null(measured.power_error)},
                          {"power_times_s", measured.power_times},
                          {"power_series_w", measured.power_series},
-                         {"toe_rad", number(measured.charge.toe)},
-                         {"toe_rad_se", number(measured.charge.toe_error)},
-                         {"shoulder_rad", number(measured.charge.shoulder)},
-                         {"shoulder_rad_se", number(measured.charge.shoulder_error)},
+                         {"toe_rad", number_or_null(measured.charge.toe)},
+                         {"toe_rad_se", number_or_null(measured.charge.toe_error)},
+                         {"shoulder_rad", number_or_null(measured.charge.shoulder)},
+                         {"shoulder_rad_se", number_or_null(measured.charge.shoulder_error)},
                          {"motion", json_of(measured.motion, measured.power)},
                          {"samples", measured.samples},
                          {"rejected_share", measured.rejected_share},
                          {"revolutions", measured.revolutions},
-                         {"peak_relative_error", number(measured.peak_error)},
-                         {"target_relative_error", optional_number(measured.target_error)},
+                         {"peak_relative_error", number_or_null(measured.peak_error)},
+                         {"target_relative_error", number_or_null(measured.target_error)},
                          {"ended", name_of(end_of(measured))}};
   write_file(file, document.dump(1) + "\n");
 }
@@ -193,21 +187,6 @@ KeptCycle read_cycle(const std::filesystem::path& file, const LinerSector& secto
                profile_from(step.at("nodes_m"), sector)});
         return cycle;
       });
-}
-
-void write_file(const std::filesystem::path& file, std::string_view text) {
-  std::ofstream out(file, std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) throw DiskError(fmt::format("{}: cannot be written; is the disk full?", file.string()));
-}
-
-std::string read_file(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::stringstream text;
-  text << in.rdbuf();
-  if (!in) throw DiskError(fmt::format("{}: cannot be read", file.string()));
-  return text.str();
 }
 
 }  // namespace millwear::orchestrator

@@ -65,9 +65,4 @@ void write_cycle(const std::filesystem::path& file, const KeptCycle& cycle);
 /// `sector` is where the profiles belong.
 [[nodiscard]] KeptCycle read_cycle(const std::filesystem::path& file, const LinerSector& sector);
 
-/// Writes and syncs a whole file. Throws DiskError.
-void write_file(const std::filesystem::path& file, std::string_view text);
-/// Reads a whole file. Throws DiskError.
-[[nodiscard]] std::string read_file(const std::filesystem::path& file);
-
 }  // namespace millwear::orchestrator

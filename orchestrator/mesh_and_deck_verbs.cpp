@@ -7,11 +7,11 @@
 #include "mill/case_lock.h"
 #include "mill/profile_csv.h"
 #include "orchestrator/cost_estimate.h"
-#include "orchestrator/measured.h"
 #include "orchestrator/mesh_facts.h"
 #include "orchestrator/mixing.h"
 #include "orchestrator/stages.h"
 #include "orchestrator/verbs.h"
+#include "orchestrator/whole_file.h"
 
 namespace millwear::orchestrator {
 namespace {

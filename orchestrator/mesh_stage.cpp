@@ -11,6 +11,7 @@
 #include "mill/published_file.h"
 #include "orchestrator/mesh_facts.h"
 #include "orchestrator/stages.h"
+#include "orchestrator/whole_file.h"
 
 namespace millwear::orchestrator {
 

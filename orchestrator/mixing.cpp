@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "mill/time_step.h"
-#include "orchestrator/measured.h"
 #include "orchestrator/run_folder.h"
+#include "orchestrator/whole_file.h"
 
 namespace millwear::orchestrator {
 

@@ -2,19 +2,20 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "mill/case_lock.h"
 #include "mill/published_file.h"
 #include "orchestrator/campaign.h"
 #include "orchestrator/impacts.h"
+#include "orchestrator/number_or_null.h"
 #include "orchestrator/report/plots.h"
 #include "orchestrator/report/report.h"
 #include "orchestrator/results/history.h"
 #include "orchestrator/results/profiles.h"
 #include "orchestrator/results/replicates.h"
 #include "orchestrator/version.h"
+#include "orchestrator/whole_file.h"
 #include "wear/load_accumulator.h"
 #include "wear/load_store.h"
 
@@ -23,8 +24,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-
-json number(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
 
 /// LIGGGHTS's own line about its version, from the first log.
 std::string liggghts_version(const Campaign& campaign) {
@@ -59,10 +58,10 @@ std::string summary_json(const Campaign& campaign, const Ledger& ledger, const R
       {"case", campaign.mill.name},
       {"outcome", name_of(outcome_of(ledger))},
       {"life_reached", data.life.reached},
-      {"life_hours", number(data.life.hours)},
-      {"life_hours_low", number(data.life.hours_low)},
-      {"life_hours_high", number(data.life.hours_high)},
-      {"life_tonnes", number(data.life.tonnes)},
+      {"life_hours", number_or_null(data.life.hours)},
+      {"life_hours_low", number_or_null(data.life.hours_low)},
+      {"life_hours_high", number_or_null(data.life.hours_high)},
+      {"life_tonnes", number_or_null(data.life.tonnes)},
       {"limit", data.life.limit},
       {"cycles", data.conservation.size()},
       {"volume_removed_m3_per_m", removed},

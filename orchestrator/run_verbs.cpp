@@ -20,11 +20,13 @@
 #include "orchestrator/course_calibration.h"
 #include "orchestrator/gather.h"
 #include "orchestrator/gauge_folder.h"
+#include "orchestrator/lowered_limits.h"
 #include "orchestrator/result_files.h"
 #include "orchestrator/run_lock.h"
 #include "orchestrator/stretch_run.h"
 #include "orchestrator/verbs.h"
 #include "orchestrator/version.h"
+#include "orchestrator/whole_file.h"
 
 namespace millwear::orchestrator {
 namespace {
@@ -52,16 +54,21 @@ void check_same_case(const Command& command, const Ledger& ledger, const std::st
                      const RunFolder& folder) {
   if (ledger.start.case_hash != case_hash)
     throw InputError(fmt::format(
-        "{}: the case differs from the one that {} was begun with ({} has that one in full); give "
-        "another folder with --out, or move this one away",
+        "{}: the case differs from the one that {} was begun with ({} has that one in full); "
+        "`millwear run` goes on where only limits are lower; give another folder with --out, or "
+        "move this one away",
         command.case_file.string(), folder.root.string(), folder.locked_case().string()));
 }
 
-/// The ledger in the folder, or a new one. Throws where the folder holds another case's campaign.
+/// The ledger in the folder, or a new one; of a campaign whose limits the case lowers, as it goes
+/// on. Throws where the folder holds another case's campaign.
 Ledger ledger_for(const Command& command, const Case& mill, const RunFolder& folder) {
   const CampaignStart start = start_of(command, mill);
   auto ledger = read_ledger(folder.ledger());
   if (!ledger) return {start, {}};
+  if (ledger->start.case_hash != start.case_hash && fs::exists(folder.locked_case()) &&
+      only_lowers_limits(mill, read_case(folder.locked_case())))
+    ledger = reopened(std::move(*ledger), start.case_hash);
   check_same_case(command, *ledger, start.case_hash, folder);
   if (command.ranks && *command.ranks != ledger->start.ranks)
     throw Failure(ExitCode::usage,
@@ -70,6 +77,15 @@ Ledger ledger_for(const Command& command, const Case& mill, const RunFolder& fol
                               folder.root.string(), ledger->start.ranks));
   check_outputs(*ledger, folder.root);
   return *ledger;
+}
+
+/// Writes case and ledger where there are none yet, or those of higher limits. The case first: with
+/// it alone the campaign can still be taken up.
+void keep_start(const RunFolder& folder, const Ledger& ledger, const Case& mill) {
+  const auto kept = read_ledger(folder.ledger());
+  if (kept && !ledger.entries.empty() && kept->start.case_hash == ledger.start.case_hash) return;
+  publish(folder.locked_case(), locked_case_text(mill));
+  write_ledger(folder.ledger(), ledger);
 }
 
 /// The case's campaign in the folder; throws if there is none.
@@ -222,10 +238,7 @@ void run_verb(const Command& command) {
   make_folder(folder.root);
   const RunLock lock(folder.lock());
   const Ledger ledger = ledger_for(command, mill, folder);
-  if (ledger.entries.empty()) {
-    publish(folder.locked_case(), locked_case_text(mill));
-    begin_ledger(folder.ledger(), ledger.start);
-  }
+  keep_start(folder, ledger, mill);
   if (command.explain) explain_campaign(command, ledger, mill);
 
   Progress progress(command.verbosity);

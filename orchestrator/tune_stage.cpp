@@ -8,6 +8,7 @@
 #include "orchestrator/stages.h"
 #include "orchestrator/stretch_run.h"
 #include "orchestrator/tuning_file.h"
+#include "orchestrator/whole_file.h"
 
 namespace millwear::orchestrator {
 namespace {

@@ -18,6 +18,7 @@
 #include "orchestrator/stretch_run.h"
 #include "orchestrator/tuning_file.h"
 #include "orchestrator/verbs.h"
+#include "orchestrator/whole_file.h"
 
 namespace millwear::orchestrator {
 namespace {

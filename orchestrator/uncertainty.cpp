@@ -23,6 +23,12 @@ std::vector<double> at_nodes(const LinerProfile& profile, const Eigen::VectorXd&
   return values;
 }
 
+/// The new liner, the same for all replicates, as a row before the steps.
+void begin_replicates(const Case& mill, ReportData& data) {
+  data.replicates = {{0, 0, 0.0, Eigen::VectorXd::Constant(replicates, lifter_height(mill.liner)),
+                      Eigen::VectorXd::Constant(replicates, plate_thickness(mill.liner))}};
+}
+
 }  // namespace
 
 wear::WornCycle worn_cycle(const Campaign& campaign, int cycle, double time,
@@ -36,16 +42,6 @@ wear::WornCycle worn_cycle(const Campaign& campaign, int cycle, double time,
     worn.steps.push_back({step.duration, as_turned(step.profile, worn.rotation)});
   return worn;
 }
-
-namespace {
-
-/// The new liner, the same for all replicates, as a row before the steps.
-void begin_replicates(const Case& mill, ReportData& data) {
-  data.replicates = {{0, 0, 0.0, Eigen::VectorXd::Constant(replicates, lifter_height(mill.liner)),
-                      Eigen::VectorXd::Constant(replicates, plate_thickness(mill.liner))}};
-}
-
-}  // namespace
 
 void add_uncertainty(const Case& mill, const std::vector<wear::WornCycle>& cycles,
                      ReportData& data) {

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "mill/failure.h"
-#include "orchestrator/measured.h"
+#include "orchestrator/whole_file.h"
 
 namespace millwear::orchestrator {
 

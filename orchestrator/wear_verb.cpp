@@ -5,6 +5,7 @@
 
 #include "mill/case_file.h"
 #include "mill/published_file.h"
+#include "orchestrator/number_or_null.h"
 #include "orchestrator/reapplied_law.h"
 #include "orchestrator/verbs.h"
 
@@ -14,11 +15,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double seconds_per_hour = 3600.0;
-
-/// NaN and infinity have no number in JSON.
-nlohmann::json number(double value) {
-  return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(nullptr);
-}
 
 nlohmann::json mechanisms_json(const Case& mill) {
   nlohmann::json mechanisms = nlohmann::json::array();
@@ -32,25 +28,26 @@ nlohmann::json json_of(const ReappliedLaw& law) {
   nlohmann::json cycles = nlohmann::json::array();
   for (const auto& cycle : law.cycles) {
     nlohmann::json shares = nlohmann::json::array();
-    for (const double share : cycle.law.shares) shares.push_back(number(share));
-    cycles.push_back({{"cycle", cycle.cycle},
-                      {"lifter_height_m", cycle.lifter_height},
-                      {"volume_rate_m3_per_m_h", number(cycle.law.section_rate * seconds_per_hour)},
-                      {"relative_rate", number(cycle.law.section_rate / cycle.law.campaign_rate)},
-                      {"elsewhere", number(cycle.law.elsewhere)},
-                      {"shares", shares},
-                      {"hours", number(cycle.hours)},
-                      {"campaign_hours", number(cycle.campaign_hours)}});
+    for (const double share : cycle.law.shares) shares.push_back(number_or_null(share));
+    cycles.push_back(
+        {{"cycle", cycle.cycle},
+         {"lifter_height_m", cycle.lifter_height},
+         {"volume_rate_m3_per_m_h", number_or_null(cycle.law.section_rate * seconds_per_hour)},
+         {"relative_rate", number_or_null(cycle.law.section_rate / cycle.law.campaign_rate)},
+         {"elsewhere", number_or_null(cycle.law.elsewhere)},
+         {"shares", shares},
+         {"hours", number_or_null(cycle.hours)},
+         {"campaign_hours", number_or_null(cycle.campaign_hours)}});
   }
   return {{"mechanisms", mechanisms_json(law.other)},
           {"campaign_mechanisms", mechanisms_json(law.campaign)},
           {"cycles", cycles},
           {"life_reached", law.life_reached},
           {"lifter_height_m", law.lifter_height},
-          {"hours", number(law.hours)},
+          {"hours", number_or_null(law.hours)},
           {"campaign_hours", law.campaign_hours},
           {"exact", law.elsewhere == 0.0},
-          {"elsewhere", number(law.elsewhere)}};
+          {"elsewhere", number_or_null(law.elsewhere)}};
 }
 
 void print_life(const ReappliedLaw& law) {

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+#include "recorder/atom_values.h"
+
 namespace millwear::recorder {
 namespace {
 
@@ -15,8 +17,6 @@ using LAMMPS_NS::LAMMPS;
 
 constexpr double share_of_weight = 1e-6;
 constexpr double standard_gravity = 9.81;  // [m/s2]
-
-Vector3d at(double** values, int i) { return {values[i][0], values[i][1], values[i][2]}; }
 
 /// Zero for a deck without `fix gravity`.
 Vector3d gravity_of(const LAMMPS& liggghts) {

@@ -4,7 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "mill/failure.h"
+#include "recorder/option_parsing.h"
 
 namespace millwear::recorder {
 namespace {
@@ -29,8 +29,6 @@ void add_options(CLI::App& app, MixingOptions& options) {
       ->check(CLI::PositiveNumber);
 }
 
-[[noreturn]] void refuse(const std::string& why) { throw Failure(ExitCode::usage, why); }
-
 }  // namespace
 
 std::string mixing_help() {
@@ -49,11 +47,7 @@ MixingOptions mixing_options(const std::vector<std::string>& arguments) {
   MixingOptions options{};
   CLI::App app;
   add_options(app, options);
-  try {
-    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
-  } catch (const CLI::ParseError& problem) {
-    refuse(std::string(problem.what()) + "; see mix --help");
-  }
+  parse_options(app, arguments, "mix --help");
   const auto& plan = options.plan;
   for (const auto& [name, steps] :
        {std::pair{"--after", plan.left_out}, std::pair{"--at-most", plan.most}})

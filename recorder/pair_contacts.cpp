@@ -12,14 +12,13 @@
 #include <cmath>
 
 #include "mill/failure.h"
+#include "recorder/atom_values.h"
 
 namespace millwear::recorder {
 namespace {
 
 using Eigen::Vector3d;
 using LAMMPS_NS::LAMMPS;
-
-Vector3d at(double** values, int i) { return {values[i][0], values[i][1], values[i][2]}; }
 
 LAMMPS_NS::PairGran& granular_pair(LAMMPS& liggghts) {
   auto* pair = dynamic_cast<LAMMPS_NS::PairGran*>(liggghts.force->pair_match("gran", 0));

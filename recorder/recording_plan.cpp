@@ -4,7 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "mill/failure.h"
+#include "recorder/option_parsing.h"
 
 namespace millwear::recorder {
 namespace {
@@ -44,8 +44,6 @@ void add_options(CLI::App& app, RecordingPlan& plan, GoingOnOptions& going_on) {
       ->check(CLI::PositiveNumber);
 }
 
-[[noreturn]] void refuse(const std::string& why) { throw Failure(ExitCode::usage, why); }
-
 std::optional<GoingOn> going_on_from(const GoingOnOptions& options, long last_step) {
   const int given =
       options.target_error.has_value() + options.by_steps.has_value() + options.at_most.has_value();
@@ -83,11 +81,7 @@ RecordingPlan recording_plan(const std::vector<std::string>& arguments) {
   CLI::App app;
   GoingOnOptions going_on;
   add_options(app, plan, going_on);
-  try {
-    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
-  } catch (const CLI::ParseError& problem) {
-    refuse(std::string(problem.what()) + "; see --help");
-  }
+  parse_options(app, arguments, "--help");
   if (plan.last_step <= plan.first_step)
     refuse(fmt::format("--until {} has to lie after --after {}", plan.last_step, plan.first_step));
   if (samples_of(plan) == 0)

@@ -16,6 +16,7 @@
 #include "mill/failure.h"
 #include "mill/profile_csv.h"
 #include "mill/published_file.h"
+#include "recorder/atom_values.h"
 #include "recorder/mesh_hook.h"
 #include "recorder/pair_contacts.h"
 #include "recorder/rank_exchange.h"
@@ -29,8 +30,6 @@ using LAMMPS_NS::LAMMPS;
 
 constexpr std::size_t most_waiting = 12;
 
-Vector3d at(double** values, int i) { return {values[i][0], values[i][1], values[i][2]}; }
-
 /// Before the first run deals the mesh out to the ranks, each rank holds all of it.
 std::size_t triangles_of(LAMMPS_NS::FixMeshSurface& mesh) {
   auto& triangles = *mesh.triMesh();
@@ -39,9 +38,11 @@ std::size_t triangles_of(LAMMPS_NS::FixMeshSurface& mesh) {
 
 wear::LoadMeasurement measurement_of(const Case& mill, const RecordingPlan& plan, double time_step,
                                      std::size_t triangles) {
-  return wear::load_measurement(mill,
-                                time_step * static_cast<double>(plan.last_step - plan.first_step),
-                                time_step * static_cast<double>(plan.every_steps), triangles);
+  auto measurement = wear::load_measurement(
+      mill, time_step * static_cast<double>(plan.last_step - plan.first_step),
+      time_step * static_cast<double>(plan.every_steps), triangles);
+  measurement.motion = wear::MotionRecord::kept;
+  return measurement;
 }
 
 void check_particles(const LAMMPS& liggghts, const Case& mill) {
@@ -72,17 +73,20 @@ void check_blocks(const Case& mill, const RecordingPlan& plan) {
 }  // namespace
 
 StretchRecorder::StretchRecorder(LAMMPS& liggghts, const Case& mill, const RecordingPlan& plan)
+    : StretchRecorder(liggghts, mill, plan, {mill.liner.sector, read_profile_nodes(plan.liner)}) {}
+
+StretchRecorder::StretchRecorder(LAMMPS& liggghts, const Case& mill, const RecordingPlan& plan,
+                                 const LinerProfile& liner)
     : liggghts_(liggghts),
       mill_(mill),
       plan_(plan),
       mesh_(the_mesh(liggghts)),
       friction_against_liner_(friction_against_liner(mill)),
-      liner_{mill.liner.sector, read_profile_nodes(plan.liner)},
-      load_(liner_, measurement_of(mill, plan, liggghts.update->dt, triangles_of(mesh_)),
+      load_(liner, measurement_of(mill, plan, liggghts.update->dt, triangles_of(mesh_)),
             [this](const wear::Collision& collision) {
               if (spool_) spool_->add(collision);
             }),
-      turning_{mill.speed, mill.liner.sector.plate_radius, crest_radius(liner_)},
+      turning_{mill.speed, mill.liner.sector.plate_radius, crest_radius(liner)},
       census_steps_(census_steps(mill, plan, liggghts.update->dt)),
       module_(
           liggghts, mesh_,
@@ -98,7 +102,6 @@ StretchRecorder::StretchRecorder(LAMMPS& liggghts, const Case& mill, const Recor
   check_particles(liggghts, mill);
   if (plan.events) spool_.emplace(*plan.events, liggghts.comm->me);
   check_blocks(mill, plan);
-  load_.record_motion();
   hang_on(liggghts, mesh_, module_);
 }
 

@@ -39,6 +39,9 @@ class StretchRecorder {
   void publish();
 
  private:
+  StretchRecorder(LAMMPS_NS::LAMMPS& liggghts, const Case& mill, const RecordingPlan& plan,
+                  const LinerProfile& liner);
+
   void take_step(long step, const std::vector<WallTouch>& touches);
   void take_pairs();
   void finish_pairs();
@@ -58,7 +61,6 @@ class StretchRecorder {
   LAMMPS_NS::FixMeshSurface& mesh_;
   std::vector<double> friction_against_liner_;  ///< by particle class
   std::optional<CollisionSpool> spool_;
-  LinerProfile liner_;
   wear::LoadAccumulator load_;
   wear::TurningMill turning_;
   long census_steps_;  ///< between two censuses of the charge

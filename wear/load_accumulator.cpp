@@ -90,6 +90,8 @@ LoadAccumulator::LoadAccumulator(const LinerProfile& profile, const LoadMeasurem
       plate_limit_(plate_limit_radius(profile, measurement.contact_limit)) {
   block_sums_.setZero(static_cast<Eigen::Index>(measure_count),
                       record_.load.bins() * static_cast<Eigen::Index>(record_.load.class_count));
+  if (measurement.motion == MotionRecord::kept)
+    record_.motion = no_charge_motion(measurement.block_count);
 }
 
 std::size_t LoadAccumulator::block_of(double time) const {
@@ -179,10 +181,6 @@ void LoadAccumulator::add(const WallContacts& sample) {
         static_cast<Eigen::Index>(place.on_profile.arc_length * cells_per_metre_), cells - 1);
     block_sums_.col(static_cast<Eigen::Index>(contact.particle_class) * cells + cell) += amounts;
   }
-}
-
-void LoadAccumulator::record_motion() {
-  record_.motion = no_charge_motion(measurement_.block_count);
 }
 
 void LoadAccumulator::add_census(double time, const Census& census) {

@@ -46,11 +46,7 @@ class LoadAccumulator {
   /// counts to the last block), an unknown particle class or a value that is not finite.
   void add(const WallContacts& sample);
 
-  /// The motion of the charge is recorded too: the hits on the bare liner from what `add` takes,
-  /// for which contacts have to know their company, and the census. Before the first `add`.
-  void record_motion();
-
-  /// Masses of the parts of the charge at one time [s] of the measurement.
+  /// Masses of the parts of the charge at one time [s] of the measurement, where motion is kept.
   void add_census(double time, const Census& census);
 
   /// The measurement goes on until `duration` [s] by further blocks of the same length; what comes

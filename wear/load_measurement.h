@@ -6,6 +6,10 @@
 
 namespace millwear::wear {
 
+/// Whether the motion of the charge is recorded beside the load: the hits on the bare liner, for
+/// which contacts have to know their company, and the census.
+enum class MotionRecord { none, kept };
+
 /// What a measurement of the load on the liner is made of.
 struct LoadMeasurement {
   int bins;                        ///< along one pitch, to be laid after the run
@@ -18,6 +22,7 @@ struct LoadMeasurement {
   double sample_interval;          ///< simulated time that one sample stands for [s]
   double contact_limit;            ///< a contact farther from the profile than this is rejected [m]
   double excess_speed;             ///< v_0 of the excess kinetic energy [m/s]
+  MotionRecord motion = MotionRecord::none;
 };
 
 /// The measurement of a case over `duration` with a sample every `sample_interval` [s]. A contact

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "orchestrator/number_or_null.h"
 #include "orchestrator/report/measured_charge.h"
 
 namespace millwear::orchestrator {
@@ -161,16 +162,14 @@ Json json_of(const Banded& banded) {
   return {{"value", banded.value}, {"low", banded.band.low}, {"high", banded.band.high}};
 }
 
-Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
-
 Json json_of(const CourseReading& reading) {
   return {{"operating_hours", reading.operating_hours},
           {"use", spoken(reading.use)},
-          {"height", or_null(reading.height)},
+          {"height", number_or_null(reading.height)},
           {"error", reading.error},
           {"predicted", json_of(reading.predicted)},
           {"line", reading.line},
-          {"plate", or_null(reading.plate)},
+          {"plate", number_or_null(reading.plate)},
           {"predicted_plate", json_of(reading.predicted_plate)}};
 }
 
@@ -236,7 +235,6 @@ std::string report_json(const ReportData& data) {
                      {"impacts", all(data.impacts)},
                      {"power", all(data.power)},
                      {"motion", all(data.motion)},
-
                      {"conservation", all(data.conservation)},
                      {"measured", all(data.measured)},
                      {"measured_profiles", all(data.measured_profiles)},

@@ -7,36 +7,32 @@
 set -eu
 cd "$(dirname "$0")/../.."
 rounds=${1:-5} steps=${2:-300} ranks=${3:-2}
-pitches=6
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-root=""; [ "$(id -u)" -ne 0 ] || root=--allow-run-as-root
-mpi="mpirun -np $ranks --bind-to none $root"
-
-make -s build
-millwear=$PWD/build/release/millwear
+fall_s=0.6   # until the charge has come down and is thrown
+facets=100   # a pitch, of the first mesh
 case=$PWD/cases/seed_mill_8m/case.toml
+. scripts/bench/dem_timing.sh
+
 $millwear deck "$case" --out "$work/ours" --quiet >/dev/null
 ours=$work/ours/cycle_000
-step=$(awk '/^timestep/ { print $2 }' "$ours/mix/contact_model.in")
-per_pitch=$(awk '/^run/ { print int($2 / 104 + 0.5) }' "$ours/mix/deck.in")   # two revolutions
+step=$(time_step "$ours/mix")
+fall=$(echo "$fall_s $step" | awk '{ print int($1 / $2) }')
 
-# A mesh cut into 100 even pieces a pitch, as one would make it to hold the wear's bins.
-awk -F, -v rows=52 -v plate=3.9005 -v width=0.25 '
+# A mesh cut into even pieces, as one would make it to hold the wear's bins.
+awk -F, -v facets=$facets -v rows="$(in_case "$work/ours" rows)" -v width="$(in_case "$work/ours" slice_length_m)" \
+    -v shell="$(in_case "$work/ours" shell_diameter_m)" -v thick="$(in_case "$work/ours" plate_thickness_m)" '
+  BEGIN { plate = shell / 2 - thick; full = 8 * atan2(1, 1) }
   /^[-0-9]/ { n++; x[n] = $1; y[n] = $2; s[n] = n > 1 ? s[n-1] + sqrt((x[n]-x[n-1])^2 + (y[n]-y[n-1])^2) : 0 }
-  function corner(i, row, at,   a, r, u, j, t) {
-    t = s[n] * i / 100; j = 1; while (j < n - 1 && s[j+1] < t) j++
-    u = (t - s[j]) / (s[j+1] - s[j])
-    a = atan2(x[j] + u * (x[j+1] - x[j]), plate - y[j] - u * (y[j+1] - y[j]))
-    r = sqrt((x[j] + u * (x[j+1] - x[j]))^2 + (plate - y[j] - u * (y[j+1] - y[j]))^2)
-    a -= row * 8 * atan2(1, 1) / rows
+  function corner(i, row, at,   a, r, u, j, t, px, py) {
+    t = s[n] * i / facets; j = 1; while (j < n - 1 && s[j+1] < t) j++
+    u = (t - s[j]) / (s[j+1] - s[j]); px = x[j] + u * (x[j+1] - x[j]); py = plate - y[j] - u * (y[j+1] - y[j])
+    a = atan2(px, py) - row * full / rows; r = sqrt(px^2 + py^2)
     return sprintf("%.12g %.12g %.12g", -r * sin(a), at, -r * cos(a))
   }
   function triangle(a, b, c) {
     printf "facet normal 0 0 0\nouter loop\nvertex %s\nvertex %s\nvertex %s\nendloop\nendfacet\n", a, b, c
   }
   END { print "solid fine"
-    for (row = 0; row < rows; row++) for (i = 0; i < 100; i++) {
+    for (row = 0; row < rows; row++) for (i = 0; i < facets; i++) {
       triangle(corner(i, row, 0), corner(i, row, width), corner(i + 1, row, 0))
       triangle(corner(i + 1, row, 0), corner(i, row, width), corner(i + 1, row, width))
     }
@@ -44,10 +40,10 @@ awk -F, -v rows=52 -v plate=3.9005 -v width=0.25 '
 
 # The charge in flight, as a data file that every deck can read whatever its models.
 cd "$ours/mix"
-sed "s/^run .*/dump end all custom $((pitches * per_pitch)) end.dump id type radius density x y z vx vy vz omegax omegay omegaz\\
+sed "s/^run .*/dump end all custom $fall end.dump id type radius density x y z vx vy vz omegax omegay omegaz\\
 dump_modify end first no sort id format \"%d %d %.9g %.9g %.12g %.12g %.12g %.9g %.9g %.9g %.9g %.9g %.9g\"\\
-run $((pitches * per_pitch))/" deck.in >fly.in
-echo "mixing $((pitches * per_pitch)) steps on $ranks ranks"
+run $fall/" deck.in >fly.in
+echo "$fall steps on $ranks ranks until the charge is thrown"
 $mpi liggghts -in fly.in -log none >log
 { sed '/^Atoms/,$d' charge.data
   for part in Atoms Velocities; do
@@ -69,6 +65,7 @@ deck() {
 mesh=$ours/mesh/liner.stl
 skin=$(awk '/^neighbor/ { print $2 }' deck.in)
 rolling=$(sed -n 's/.*rolling_friction \([a-z0-9]*\).*/\1/p' contact_model.in | tail -1)
+decks="first mesh ranks skin ours"
 deck first "$work/fine.stl" "$ranks 1 1" 0.010 epsd2
 deck mesh  "$mesh"          "$ranks 1 1" 0.010 epsd2
 deck ranks "$mesh"          "1 $ranks 1" 0.010 epsd2
@@ -79,48 +76,48 @@ cd "$work"
 echo "round: seconds of $steps steps of the first deck, + mesh, + ranks along the axis, + skin $skin m, + $rolling; load $(cut -d' ' -f1 /proc/loadavg)"
 for round in $(seq "$rounds"); do
   times=""
-  for name in first mesh ranks skin ours; do
+  for name in $decks; do
     (cd "$name" && $mpi liggghts -in deck.in -log none >log)
-    times="$times $(awk '/^Loop time of/ { t = $4 } END { print t }' "$name/log")"
+    times="$times $(loop_seconds "$name/log")"
   done
   echo "$times" >>times
   echo "$round:$times"
 done
 
-awk -v steps="$steps" -v step="$step" '
-  function median(k,   i, j, t, v) {
-    for (i = 1; i <= NR; i++) v[i] = k < 0 ? time[i, 1] / time[i, -k] : time[i, k]
-    for (i = 1; i <= NR; i++) for (j = i + 1; j <= NR; j++) if (v[j] < v[i]) { t = v[i]; v[i] = v[j]; v[j] = t }
-    return (v[int((NR + 1) / 2)] + v[int(NR / 2) + 1]) / 2
-  }
-  { for (k = 1; k <= 5; k++) time[NR, k] = $k }
-  END {
-    split("the deck one writes first|+ mesh as coarse as the shape allows|+ ranks along the axis|+ skin|+ rolling friction that is optimised", name, "|")
-    printf "\n%-40s %8s %14s %8s %12s\n", "", "steps/s", "sim. s an hour", "factor", "of the last"
-    for (k = 1; k <= 5; k++) {
-      printf "%-40s %8.1f %14.2f %8.2f %12.2f\n", name[k], steps / median(k), 3600 * step * steps / median(k),
-        median(-k), k > 1 ? median(k - 1) / median(k) : 1
-    }
-  }' times
+# row COLUMN NAME: medians of the seconds, of the first deck's over these, and of the deck's before
+row() {
+  seconds=$(awk -v k="$1" '{ print $k }' times | median)
+  factor=$(awk -v k="$1" '{ print $1 / $k }' times | median)
+  gained=$(awk -v k="$1" '{ print (k > 1 ? $(k - 1) : $1) / $k }' times | median)
+  echo "$seconds $factor $gained" | awk -v name="$2" -v steps="$steps" -v step="$step" '
+    { printf "%-40s %8.1f %14.2f %8.2f %12.2f\n", name, steps / $1, 3600 * step * steps / $1, $2, $3 }'
+}
+printf '\n%-40s %8s %14s %8s %12s\n' "" steps/s "sim. s an hour" factor "of the last"
+row 1 "the deck one writes first"
+row 2 "+ mesh as coarse as the shape allows"
+row 3 "+ ranks along the axis"
+row 4 "+ skin"
+row 5 "+ rolling friction that is optimised"
 
 # Filling: the packing that millwear makes, against a charge that falls from the top (the packing
 # turned upside down), with contacts softened ten times more so that it takes minutes. Steady is when
 # the kinetic energy was last a quarter off its mean over the last fifth of the run.
-sed 's/^modulus_reduction.*/modulus_reduction = 1000.0/' "$case" >soft.toml
+awk '/^modulus_reduction/ { $3 = 10 * $3 } { print }' "$case" >soft.toml
 $millwear deck soft.toml --out "$work/soft" --quiet >/dev/null
 cd "$work/soft/cycle_000/mix"
-steps=$(awk '/^run/ { print int($2 / 2 * 0.4) }' deck.in)
-sed -i -e "s/^run .*/run $steps/" -e "s/^thermo  .*/thermo $((steps / 200))/" -e '/^write_restart/d' deck.in
+soft_step=$(time_step .)
+fill=$(awk -v step="$soft_step" '/^run/ { print int(4.0 / step) }' deck.in)   # four seconds
+sed -i -e "s/^run .*/run $fill/" -e "s/^thermo  .*/thermo $((fill / 200))/" -e '/^write_restart/d' deck.in
 awk '/^Atoms/ { on = 1 } on && NF == 7 { $7 = -$7 } { print }' charge.data >falling.data
 sed 's/^read_data .*/read_data falling.data/' deck.in >falling.in
 printf '\n%-40s %16s %16s\n' "" "steady after, s" "peak energy, kJ"
-for fill in deck falling; do
-  $mpi liggghts -in $fill.in -log none >$fill.log
-  [ $fill = deck ] && printf '%-40s' "packed low" || printf '%-40s' "falling from the top"
-  awk -v step="$(awk '/^timestep/ { print $2 }' contact_model.in)" '
+for way in deck falling; do
+  $mpi liggghts -in $way.in -log none >$way.log
+  [ $way = deck ] && printf '%-40s' "packed low" || printf '%-40s' "falling from the top"
+  awk -v step="$soft_step" '
     NF == 5 && $1 ~ /^[0-9]+$/ && $2 ~ /^[0-9]+$/ { n++; time[n] = $1 * step; energy[n] = $3 }
     END { from = int(0.8 * n); for (i = from; i <= n; i++) mean += energy[i] / (n - from + 1)
       for (i = 1; i <= n; i++) { if (energy[i] > peak) peak = energy[i]
         if (energy[i] > 1.25 * mean || energy[i] < 0.75 * mean) steady = time[i] }
-      printf " %16.2f %16.1f\n", steady, peak / 1e3 }' $fill.log
+      printf " %16.2f %16.1f\n", steady, peak / 1e3 }' $way.log
 done

@@ -7,18 +7,14 @@ set -eu
 cd "$(dirname "$0")/../.."
 rounds=${1:-25} steps=${2:-300} ranks=${3:-2}
 mixing=6000 settle=100
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-root=""; [ "$(id -u)" -ne 0 ] || root=--allow-run-as-root
+. scripts/bench/dem_timing.sh
 
-make -s build
-build/release/millwear deck cases/seed_mill_8m/case.toml --out "$work" --quiet >/dev/null
+$millwear deck cases/seed_mill_8m/case.toml --out "$work" --quiet >/dev/null
 sed -i "s/^run .*/run $mixing/" "$work/cycle_000/mix/deck.in"
 deck=$work/cycle_000/dem/deck.in
 awk -v settle=$settle -v steps="$steps" '/^run/ { n++; if (n == 1) print "run", settle;
   if (n == 2) print "run", steps; next } /^# \.\.\. and from here/ { next } { print }' "$deck" >"$deck.short"
 
-mpi="mpirun -np $ranks --bind-to none $root"
 echo "mixing $mixing steps on $ranks ranks"
 (cd "$work/cycle_000/mix" && $mpi liggghts -in deck.in -log none >log)
 
@@ -32,8 +28,7 @@ timed() {
   start=$(date +%s.%N)
   (cd "$work/cycle_000/dem" && $mpi "$@" >log)
   end=$(date +%s.%N)
-  loop=$(awk '/^Loop time of/ { t = $4 } END { print t }' "$work/cycle_000/dem/log")
-  echo "$loop $(echo "$end $start" | awk '{ print $1 - $2 }')"
+  echo "$(loop_seconds "$work/cycle_000/dem/log") $(echo "$end $start" | awk '{ print $1 - $2 }')"
 }
 
 echo "round: seconds of $steps steps plain, recorded, with events; load $(cut -d' ' -f1 /proc/loadavg)"

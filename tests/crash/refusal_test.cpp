@@ -118,6 +118,24 @@ TEST_F(FinishedCampaign, IsKeptFromAnotherCase) {
   EXPECT_EQ(millwear(run_into(campaign)).code, 0);
 }
 
+// It ended in the middle of a load's steps. That load wears the liner anew, to the lower limit.
+TEST_F(FinishedCampaign, GoesOnToALowerLimitAsIfThatHadBeenGivenFromTheStart) {
+  std::string text = text_of(case_file);
+  text.replace(text.find("plate_limit_m = 0.0065"), 22, "plate_limit_m = 0.0080");
+  const fs::path higher = folder.path() / "higher.toml";
+  put_text(higher, text);
+  const fs::path short_run = folder.path() / "short";
+  ASSERT_EQ(millwear(run_into(short_run, higher)).code, 0);
+  ASSERT_LT(text_of(short_run / "results/history.csv").size(),
+            text_of(reference.path() / "results/history.csv").size());
+  const Ended ended = millwear(run_into(short_run));
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  for (const char* const name :
+       {"results/history.csv", "results/profiles.csv", "results/bins.h5", "case.lock.toml"})
+    EXPECT_TRUE(text_of(short_run / name) == text_of(reference.path() / name)) << name;
+  EXPECT_EQ(millwear(run_into(short_run, higher)).code, 3);
+}
+
 TEST_F(FinishedCampaign, IsNotGoneOnWithOtherRanks) {
   const Ended ended = millwear({"run", case_file, "--out", campaign.string(), "--ranks", "2"});
   EXPECT_EQ(ended.code, 2);

@@ -56,7 +56,7 @@ const StandIn stand_ins[] = {
      "cycle 0 dem: ", "do not hold the same steps", ContactsBy::dumps},
     {"writes_letters_for_numbers", "cycle_000/dem",
      "sed -i 's/contacts.dump/whole/' deck.in; run;"
-     "sed '30s/^/x/' whole > contacts.dump",
+     "awk 'NF > 9 && $1 != \"ITEM:\" && !n++ { $1 = \"x\" $1 } { print }' whole > contacts.dump",
      "contacts.dump", "number", ContactsBy::dumps},
     {"cuts_the_torque", "cycle_000/dem", "run; sed -i '$d' torque.txt; sed -i '$d' torque.txt",
      "torque.txt", "ends at step"},

@@ -33,7 +33,7 @@ class GoingOn : public ::testing::Test {
  protected:
   void SetUp() override {
     if (!liggghts_is_installed()) GTEST_SKIP() << "liggghts or mpirun is not installed";
-    mix(mill_, {plan_.time_step, 2 * plan_.steps_per_pitch, 0, 20}, scratch_.stage("mix"), 1);
+    mix(mill_, {plan_.time_step, 3 * plan_.steps_per_pitch, 0, 20}, scratch_.stage("mix"), 1);
   }
 
   [[nodiscard]] Recording until_known(const Measuring& stretch, long steps_of_block) const {

@@ -5,6 +5,7 @@
 #include "orchestrator/campaign.h"
 #include "orchestrator/stages.h"
 #include "orchestrator/tuning_file.h"
+#include "orchestrator/whole_file.h"
 #include "tests/needs_liggghts/mill_trial.h"
 
 namespace millwear::trial {

@@ -48,7 +48,7 @@ class CalibratedCampaign : public testing::Test {
  protected:
   void SetUp() override {
     put_text(folder.locked_case(), locked_case_text(mill));
-    begin_ledger(folder.ledger(), {"millwear", "hash", 1, "host"});
+    write_ledger(folder.ledger(), {{"millwear", "hash", 1, "host"}, {}});
     LinerProfile liner = mill.liner;
     for (int cycle = 0; cycle < 3; ++cycle) {
       const wear::LinerRecord record = record_on(mill, liner);
@@ -208,7 +208,7 @@ TEST_F(CalibratedCampaign, RefusesACampaignThatHasWornNothing) {
   folder = {other_place.path()};
   EXPECT_THAT(refusal(heights()), HasSubstr("no campaign is here"));
   put_text(folder.locked_case(), locked_case_text(mill));
-  begin_ledger(folder.ledger(), {"millwear", "hash", 1, "host"});
+  write_ledger(folder.ledger(), {{"millwear", "hash", 1, "host"}, {}});
   keep({0, StageKind::dem}, stage_files::load,
        [&](const auto& file) { wear::write_record(file, record_on(mill, mill.liner)); });
   EXPECT_THAT(refusal(heights()), HasSubstr("no wear of the campaign is done yet"));

@@ -4,6 +4,7 @@
 
 #include "mill/failure.h"
 #include "orchestrator/measured.h"
+#include "orchestrator/whole_file.h"
 #include "tests/unit/orchestrator/temporary_folder.h"
 
 namespace millwear::orchestrator {

@@ -29,7 +29,7 @@ class LedgerFile : public testing::Test {
 };
 
 TEST_F(LedgerFile, ComesBackAsItWasWritten) {
-  begin_ledger(file, start);
+  write_ledger(file, {start, {}});
   for (const auto& entry : {meshed, mixed, worn}) append_entry(file, entry);
   const auto ledger = read_ledger(file);
   ASSERT_TRUE(ledger);
@@ -55,7 +55,7 @@ TEST_F(LedgerFile, IsNothingWhereThereIsNoFileOrNoWholeLine) {
 // However short the last line was cut, the entries before it stand, the torn one is dropped, and
 // the next one begins on a line of its own.
 TEST_F(LedgerFile, DropsATornLastLineAndCutsItBeforeTheNextAppend) {
-  begin_ledger(file, start);
+  write_ledger(file, {start, {}});
   append_entry(file, meshed);
   const std::string whole = text_of(file);
   append_entry(file, mixed);
@@ -69,7 +69,7 @@ TEST_F(LedgerFile, DropsATornLastLineAndCutsItBeforeTheNextAppend) {
 }
 
 TEST_F(LedgerFile, WithADamagedMiddleLineIsRefusedWithItsPlace) {
-  begin_ledger(file, start);
+  write_ledger(file, {start, {}});
   append_entry(file, meshed);
   add_to_file("{\"cycle\":0,\"stage\":\n");
   append_entry(file, mixed);
@@ -77,7 +77,7 @@ TEST_F(LedgerFile, WithADamagedMiddleLineIsRefusedWithItsPlace) {
 }
 
 TEST_F(LedgerFile, WithAnUnknownStageIsRefusedWithItsPlace) {
-  begin_ledger(file, start);
+  write_ledger(file, {start, {}});
   add_to_file(R"({"cycle":0,"stage":"polish","outcome":"go_on","outputs":{},"wall_seconds":1})"
               "\n");
   EXPECT_THAT(refusal(), AllOf(HasSubstr(file.string() + ":2: "), HasSubstr("polish")));

@@ -118,7 +118,7 @@ class KeptCampaign : public testing::Test {
  protected:
   void SetUp() override {
     put_text(folder.locked_case(), locked_case_text(mill));
-    begin_ledger(folder.ledger(), {"millwear", "hash", 1, "host"});
+    write_ledger(folder.ledger(), {{"millwear", "hash", 1, "host"}, {}});
     keep_load(0);
     const StageId worn{0, StageKind::wear};
     std::filesystem::create_directories(folder.stage(worn));
@@ -246,7 +246,7 @@ TEST(ReappliedLaw, RefusesAFolderWithoutACampaignOrALoad) {
   };
   EXPECT_THAT(refusal(), HasSubstr("no campaign is here"));
   put_text(folder.locked_case(), locked_case_text(example_case()));
-  begin_ledger(folder.ledger(), {"millwear", "hash", 1, "host"});
+  write_ledger(folder.ledger(), {{"millwear", "hash", 1, "host"}, {}});
   EXPECT_THAT(refusal(), HasSubstr("the campaign has no load yet"));
 }
 

@@ -3,6 +3,7 @@
 #include "mill/mill_frame.h"
 #include "mill/profile_csv.h"
 #include "orchestrator/stages.h"
+#include "orchestrator/whole_file.h"
 #include "tests/unit/mill/example_case.h"
 #include "tests/unit/orchestrator/example_measurement.h"
 #include "tests/unit/orchestrator/temporary_folder.h"

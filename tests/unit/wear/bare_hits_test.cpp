@@ -1,47 +1,32 @@
 #include <gtest/gtest.h>
 
-#include "mill/mill_frame.h"
-#include "sample_profiles.h"
-#include "wear/load_accumulator.h"
+#include "sample_measurement.h"
 
 namespace millwear::wear {
 namespace {
 
-const LoadMeasurement measurement{.bins = 50,
-                                  .class_mass = {1.0, 2.0},
-                                  .particles = 100,
-                                  .triangles = 0,
-                                  .block_count = 4,
-                                  .slice_length = 0.25,
-                                  .duration = 2.0,
-                                  .sample_interval = 0.01,
-                                  .contact_limit = 1e-3,
-                                  .excess_speed = 0.1};
+LoadMeasurement measurement_with(MotionRecord motion) {
+  LoadMeasurement measurement = sample_measurement;
+  measurement.motion = motion;
+  return measurement;
+}
+const LoadMeasurement measurement = measurement_with(MotionRecord::kept);
 const Eigen::Vector2d crest(0.0, 0.1);
 
 /// A particle of 2 kg that comes at 5 m/s, 3 m/s of it towards the liner, and touches nothing else.
 WallContact hit_at(const Eigen::Vector2d& master, std::size_t particle) {
-  const auto place = to_mill(sample_sector, master, 0, 0.0);
-  return {.point = {place.x(), 0.1, place.y()},
-          .into_wall = Eigen::Vector3d(place.x(), 0.0, place.y()).normalized(),
-          .normal_force = 100.0,
-          .slip_speed = 4.0,
-          .normal_speed = 3.0,
-          .impact_speed = 5.0,
-          .impact_normal_speed = 3.0,
-          .shear_power = 0.0,
-          .finnie_power = 0.0,
-          .particle_class = 1,
-          .particle = particle,
-          .triangle = 0,
-          .company = Company::none};
+  WallContact hit = sample_contact(master, 0, 0.0);
+  hit.impact_speed = 5.0;
+  hit.impact_normal_speed = 3.0;
+  hit.particle = particle;
+  hit.company = Company::none;
+  return hit;
 }
 
 Eigen::Vector2d on_the_plate() { return square_lifter().nodes.front(); }
 
 ChargeMotion motion_of(const std::vector<WallContacts>& samples) {
   LoadAccumulator accumulator(square_lifter(), measurement);
-  accumulator.record_motion();
   for (const auto& sample : samples) accumulator.add(sample);
   return *accumulator.finish().motion;
 }
@@ -97,7 +82,6 @@ TEST(BareHits, IntoACornerAreOne) {
 
 TEST(BareHits, ThatTouchedBeforeTheMeasurementAreNone) {
   LoadAccumulator accumulator(square_lifter(), measurement);
-  accumulator.record_motion();
   accumulator.begin_with({0.0, 0.0, {hit_at(crest, 1)}});
   accumulator.add({0.01, 0.0, {hit_at(crest, 1)}});
   EXPECT_EQ(hits(*accumulator.finish().motion), 0.0);
@@ -105,7 +89,6 @@ TEST(BareHits, ThatTouchedBeforeTheMeasurementAreNone) {
 
 TEST(BareHits, AndTheCensusGoOnWithTheMeasurement) {
   LoadAccumulator accumulator(square_lifter(), measurement);
-  accumulator.record_motion();
   accumulator.add_census(0.25, Census::Constant(1.0));
   accumulator.go_on_until(3.0);
   accumulator.add({2.9, 0.0, {hit_at(crest, 1)}});
@@ -118,7 +101,7 @@ TEST(BareHits, AndTheCensusGoOnWithTheMeasurement) {
 }
 
 TEST(BareHits, AreNotRecordedUnlessAskedFor) {
-  LoadAccumulator accumulator(square_lifter(), measurement);
+  LoadAccumulator accumulator(square_lifter(), measurement_with(MotionRecord::none));
   accumulator.add({0.3, 0.0, {hit_at(crest, 1)}});
   EXPECT_FALSE(accumulator.finish().motion);
 }

@@ -7,43 +7,15 @@
 #include <random>
 
 #include "mill/failure.h"
-#include "mill/mill_frame.h"
-#include "sample_profiles.h"
+#include "sample_measurement.h"
 #include "wear/wear_law.h"
 
 namespace millwear::wear {
 namespace {
 
-const LoadMeasurement measurement{.bins = 50,
-                                  .class_mass = {1.0, 2.0},
-                                  .particles = 4000,
-                                  .triangles = 3,
-                                  .block_count = 4,
-                                  .slice_length = 0.25,
-                                  .duration = 2.0,
-                                  .sample_interval = 0.01,
-                                  .contact_limit = 1e-3,
-                                  .excess_speed = 0.1};
-
 /// k = 1e-12 1/Pa for both classes.
 const LawWeights archard =
     weights_of({WearLaw::archard, 1e-12}, {{{0, 0.03, 10}, {0, 0.02, 10}}, {}, 0.4, 0.0});
-
-WallContact contact_at(const Eigen::Vector2d& master, int row, double mill_angle) {
-  const auto place = to_mill(sample_sector, master, row, mill_angle);
-  return {.point = {place.x(), 0.1, place.y()},
-          .into_wall = Eigen::Vector3d(place.x(), 0.0, place.y()).normalized(),
-          .normal_force = 100.0,
-          .slip_speed = 0.5,
-          .normal_speed = 0.2,
-          .impact_speed = 0.4,
-          .impact_normal_speed = 0.2,
-          .shear_power = 15.0,
-          .finnie_power = 3.0,
-          .particle_class = 1,
-          .particle = 7,
-          .triangle = 2};
-}
 
 /// Places up to 1.5 mm off the profile, all around the mill.
 WallContacts random_contacts(const LinerProfile& profile, double time, double mill_angle) {
@@ -58,7 +30,7 @@ WallContacts random_contacts(const LinerProfile& profile, double time, double mi
     const Eigen::Vector2d along = profile.nodes[n + 1] - profile.nodes[n];
     const Eigen::Vector2d normal(-along.normalized().y(), along.normalized().x());
     const Eigen::Vector2d place = profile.nodes[n] + share(random) * along + off(random) * normal;
-    sample.contacts.push_back(contact_at(place, row(random), mill_angle));
+    sample.contacts.push_back(sample_contact(place, row(random), mill_angle));
     sample.contacts.back().normal_force = 1.0 + i;
     sample.contacts.back().particle = static_cast<std::size_t>(i) + 1;
   }
@@ -68,8 +40,8 @@ WallContacts random_contacts(const LinerProfile& profile, double time, double mi
 double sum(const WallLoad& load, Measure measure) { return load.total(measure).sum(); }
 
 TEST(LoadAccumulator, AddsEveryMeasureToItsCellClassAndBlock) {
-  LoadAccumulator accumulator(square_lifter(), measurement);
-  accumulator.add({1.6, 0.2, {contact_at({0.0, 0.1}, 3, 0.2)}});
+  LoadAccumulator accumulator(square_lifter(), sample_measurement);
+  accumulator.add({1.6, 0.2, {sample_contact({0.0, 0.1}, 3, 0.2)}});
   const WallLoad load = accumulator.finish().load;
   const Eigen::Index cell = load.bins() / 2;
   const Eigen::Index last_block_of_second_class = 7;
@@ -95,11 +67,11 @@ TEST(LoadAccumulator, AddsEveryMeasureToItsCellClassAndBlock) {
 TEST(LoadAccumulator, BinsAndRejectedEqualTheTotal) {
   const LinerProfile profile = square_lifter();
   const WallContacts sample = random_contacts(profile, 0.3, 0.7);
-  LoadAccumulator accumulator(profile, measurement);
+  LoadAccumulator accumulator(profile, sample_measurement);
   accumulator.add(sample);
   double work = 0.0;
   for (const auto& contact : sample.contacts) {
-    work += contact.normal_force * contact.slip_speed * measurement.sample_interval;
+    work += contact.normal_force * contact.slip_speed * sample_measurement.sample_interval;
   }
   const WallLoad load = accumulator.finish().load;
   EXPECT_GT(load.rejected[0], 400.0);
@@ -112,7 +84,7 @@ TEST(LoadAccumulator, RotatingEveryContactByOnePitchChangesNothing) {
   const LinerProfile profile = square_lifter();
   const double pitch = sample_sector.pitch();
   WallContacts sample = random_contacts(profile, 0.3, 0.7);
-  LoadAccumulator here(profile, measurement);
+  LoadAccumulator here(profile, sample_measurement);
   here.add(sample);
   for (auto& contact : sample.contacts) {
     const double x = contact.point.x();
@@ -120,7 +92,7 @@ TEST(LoadAccumulator, RotatingEveryContactByOnePitchChangesNothing) {
     contact.point.x() = std::cos(pitch) * x + std::sin(pitch) * z;
     contact.point.z() = -std::sin(pitch) * x + std::cos(pitch) * z;
   }
-  LoadAccumulator there(profile, measurement);
+  LoadAccumulator there(profile, sample_measurement);
   there.add(sample);
   const Eigen::MatrixXd difference = here.finish().load.values[index_of(Measure::sliding_work)] -
                                      there.finish().load.values[index_of(Measure::sliding_work)];
@@ -131,8 +103,8 @@ TEST(LoadAccumulator, RotatingEveryContactByOnePitchChangesNothing) {
 // Turning the mill and its contacts together changes nothing either.
 TEST(LoadAccumulator, TurnsBackByTheMillsAngle) {
   const LinerProfile profile = square_lifter();
-  LoadAccumulator here(profile, measurement);
-  LoadAccumulator there(profile, measurement);
+  LoadAccumulator here(profile, sample_measurement);
+  LoadAccumulator there(profile, sample_measurement);
   here.add(random_contacts(profile, 0.3, 0.0));
   there.add(random_contacts(profile, 0.3, 1.234));
   const Eigen::MatrixXd difference = here.finish().load.values[index_of(Measure::normal_impulse)] -
@@ -143,10 +115,10 @@ TEST(LoadAccumulator, TurnsBackByTheMillsAngle) {
 
 // Near the sector's edge the nearest place may be on the next pitch: nothing is lost there.
 TEST(LoadAccumulator, TakesContactsOnTheSectorsEdge) {
-  LoadAccumulator accumulator(bare_ring(), measurement);
+  LoadAccumulator accumulator(bare_ring(), sample_measurement);
   const double edge = 0.5 * sample_sector.pitch();
   for (const double off : {-1e-9, 0.0, 1e-9}) {
-    accumulator.add({0.1, 0.0, {contact_at(point_at(sample_sector, 1.0, edge + off), 2, 0.0)}});
+    accumulator.add({0.1, 0.0, {sample_contact(point_at(sample_sector, 1.0, edge + off), 2, 0.0)}});
   }
   EXPECT_EQ(accumulator.finish().load.rejected[0], 0.0);
   const Eigen::VectorXd samples = accumulator.finish().load.total(Measure::samples);
@@ -156,10 +128,10 @@ TEST(LoadAccumulator, TakesContactsOnTheSectorsEdge) {
 // A locked sphere pressed with 100 N and dragged at 0.5 m/s for 2 s along one lifter of ten:
 // V = k F s = 1e-12 * 100 N * 1 m. The law gives the rate of the mean lifter, a tenth of it.
 TEST(LoadAccumulator, ADraggedContactWearsForceTimesDistance) {
-  LoadAccumulator accumulator(square_lifter(), measurement);
+  LoadAccumulator accumulator(square_lifter(), sample_measurement);
   for (int i = 0; i < 200; ++i) {
     const double time = 0.01 * i;
-    accumulator.add({time, 0.0, {contact_at({-0.04 + 4e-4 * i, 0.1}, 0, 0.0)}});
+    accumulator.add({time, 0.0, {sample_contact({-0.04 + 4e-4 * i, 0.1}, 0, 0.0)}});
   }
   const WallLoad load = coarsened(accumulator.finish().load, cells_per_bin);
   const double volume_rate = depth_rate(archard, load).dot(load.bin_area());
@@ -167,15 +139,15 @@ TEST(LoadAccumulator, ADraggedContactWearsForceTimesDistance) {
 }
 
 TEST(LoadAccumulator, ARollingContactWearsNothing) {
-  LoadAccumulator accumulator(square_lifter(), measurement);
-  auto contact = contact_at({0.0, 0.1}, 0, 0.0);
+  LoadAccumulator accumulator(square_lifter(), sample_measurement);
+  auto contact = sample_contact({0.0, 0.1}, 0, 0.0);
   contact.slip_speed = 0.0;
   accumulator.add({0.0, 0.0, {contact}});
   EXPECT_EQ(depth_rate(archard, accumulator.finish().load).sum(), 0.0);
 }
 
 TEST(LoadAccumulator, LaysBinsAfterwards) {
-  LoadAccumulator accumulator(square_lifter(), measurement);
+  LoadAccumulator accumulator(square_lifter(), sample_measurement);
   accumulator.add(random_contacts(square_lifter(), 0.3, 0.7));
   const WallLoad bins = coarsened(accumulator.finish().load, cells_per_bin);
   EXPECT_EQ(bins.bins(), 50);
@@ -187,7 +159,7 @@ TEST(LoadAccumulator, LaysBinsAfterwards) {
 }
 
 TEST(LoadAccumulator, RanksAddUp) {
-  LoadAccumulator accumulator(square_lifter(), measurement);
+  LoadAccumulator accumulator(square_lifter(), sample_measurement);
   accumulator.add(random_contacts(square_lifter(), 0.3, 0.7));
   const WallLoad twice = sum_of(accumulator.finish().load, accumulator.finish().load);
   EXPECT_DOUBLE_EQ(sum(twice, Measure::sliding_work),
@@ -195,15 +167,15 @@ TEST(LoadAccumulator, RanksAddUp) {
   EXPECT_EQ(twice.rejected[0], 2.0 * accumulator.finish().load.rejected[0]);
 }
 
-// What already lies there as the measurement begins is a contact, but no collision.
+// What already lies there as the sample_measurement begins is a contact, but no collision.
 TEST(LoadAccumulator, WhatTouchedBeforeIsNoNewCollision) {
   std::vector<Collision> ended;
-  LoadAccumulator accumulator(square_lifter(), measurement,
+  LoadAccumulator accumulator(square_lifter(), sample_measurement,
                               [&](const Collision& c) { ended.push_back(c); });
-  auto other = contact_at({0.0, 0.1}, 0, 0.0);
+  auto other = sample_contact({0.0, 0.1}, 0, 0.0);
   other.particle = 8;
-  accumulator.begin_with({0.0, 0.0, {contact_at({0.0, 0.1}, 0, 0.0)}});
-  accumulator.add({0.01, 0.0, {contact_at({0.0, 0.1}, 0, 0.0), other}});
+  accumulator.begin_with({0.0, 0.0, {sample_contact({0.0, 0.1}, 0, 0.0)}});
+  accumulator.add({0.01, 0.0, {sample_contact({0.0, 0.1}, 0, 0.0), other}});
   accumulator.add({0.02, 0.0, {}});
   const LinerRecord record = accumulator.finish();
   EXPECT_EQ(sum(record.load, Measure::samples), 2.0);
@@ -218,9 +190,9 @@ TEST(LoadAccumulator, WhatTouchedBeforeIsNoNewCollision) {
 
 // A ball that touches throughout four blocks of 0.5 s from 0.0 s on: fifty samples in each.
 TEST(LoadAccumulator, EveryBlockHasItsOwnSums) {
-  LoadAccumulator accumulator(square_lifter(), measurement);
+  LoadAccumulator accumulator(square_lifter(), sample_measurement);
   for (int i = 0; i < 200; ++i)
-    accumulator.add({0.01 * i + 0.005, 0.0, {contact_at({0.0, 0.1}, 0, 0.0)}});
+    accumulator.add({0.01 * i + 0.005, 0.0, {sample_contact({0.0, 0.1}, 0, 0.0)}});
   const LinerRecord record = accumulator.finish();
   const Eigen::RowVectorXd by_block = record.load.by_block(Measure::samples).colwise().sum();
   EXPECT_EQ(by_block, Eigen::RowVectorXd::Constant(4, 50.0));
@@ -232,18 +204,19 @@ TEST(LoadAccumulator, EveryBlockHasItsOwnSums) {
 
 // Samples at 0.01, 0.02 ... 2.00 s stand for the time before them: fifty to each block of 0.5 s.
 TEST(LoadAccumulator, ASampleAtTheEndOfABlockIsOfThatBlock) {
-  LoadAccumulator accumulator(square_lifter(), measurement);
-  for (int i = 1; i <= 200; ++i) accumulator.add({0.01 * i, 0.0, {contact_at({0.0, 0.1}, 0, 0.0)}});
+  LoadAccumulator accumulator(square_lifter(), sample_measurement);
+  for (int i = 1; i <= 200; ++i)
+    accumulator.add({0.01 * i, 0.0, {sample_contact({0.0, 0.1}, 0, 0.0)}});
   const WallLoad load = accumulator.finish().load;
   EXPECT_EQ(load.by_block(Measure::samples).colwise().sum(), Eigen::RowVectorXd::Constant(4, 50.0));
 }
 
 /// Two balls of two classes that slide along the lifter, one of them now and then in the air.
 WallContacts sliding_balls(int i) {
-  WallContacts sample{0.01 * i, 0.0, {contact_at({-0.04 + 3e-4 * (i % 250), 0.1}, 0, 0.0)}};
+  WallContacts sample{0.01 * i, 0.0, {sample_contact({-0.04 + 3e-4 * (i % 250), 0.1}, 0, 0.0)}};
   sample.contacts.back().normal_force = 10.0 + i % 7;
   if (i % 9 == 0) return sample;
-  sample.contacts.push_back(contact_at({0.02, 0.1}, 1, 0.0));
+  sample.contacts.push_back(sample_contact({0.02, 0.1}, 1, 0.0));
   sample.contacts.back().particle = 8;
   sample.contacts.back().particle_class = 0;
   return sample;
@@ -263,11 +236,11 @@ void expect_same(const LinerRecord& a, const LinerRecord& b) {
 
 // Looked at after 2 s, on to 3 s and on to 5 s: the same bits as 5 s in ten blocks from the start.
 TEST(LoadAccumulator, GoingOnIsTheSameAsALongMeasurementFromTheStart) {
-  auto long_measurement = measurement;
+  auto long_measurement = sample_measurement;
   long_measurement.duration = 5.0;
   long_measurement.block_count = 10;
   LoadAccumulator at_once(square_lifter(), long_measurement);
-  LoadAccumulator bit_by_bit(square_lifter(), measurement);
+  LoadAccumulator bit_by_bit(square_lifter(), sample_measurement);
   for (int i = 1; i <= 500; ++i) {
     at_once.add(sliding_balls(i));
     bit_by_bit.add(sliding_balls(i));
@@ -283,7 +256,7 @@ TEST(LoadAccumulator, GoingOnIsTheSameAsALongMeasurementFromTheStart) {
 }
 
 TEST(LoadAccumulator, GoesOnByWholeBlocksOnly) {
-  LoadAccumulator accumulator(square_lifter(), measurement);
+  LoadAccumulator accumulator(square_lifter(), sample_measurement);
   for (const double end : {1.5, 2.0, 2.3, 0.0})
     EXPECT_THROW(accumulator.go_on_until(end), InputError) << end;
   EXPECT_NO_THROW(accumulator.go_on_until(2.5));
@@ -292,11 +265,11 @@ TEST(LoadAccumulator, GoesOnByWholeBlocksOnly) {
 
 TEST(LoadAccumulator, ACollisionOffTheProfileHasNoArcLength) {
   std::vector<Collision> ended;
-  LoadAccumulator accumulator(square_lifter(), measurement,
+  LoadAccumulator accumulator(square_lifter(), sample_measurement,
                               [&](const Collision& c) { ended.push_back(c); });
-  auto off = contact_at({0.0, 0.2}, 4, 0.0);
+  auto off = sample_contact({0.0, 0.2}, 4, 0.0);
   off.particle = 8;
-  accumulator.add({0.0, 0.0, {contact_at({0.0, 0.1}, 3, 0.0), off}});
+  accumulator.add({0.0, 0.0, {sample_contact({0.0, 0.1}, 3, 0.0), off}});
   accumulator.add({0.01, 0.0, {}});
   ASSERT_EQ(ended.size(), 2U);
   const auto& on = ended[ended[0].particle == 7 ? 0 : 1];
@@ -306,16 +279,17 @@ TEST(LoadAccumulator, ACollisionOffTheProfileHasNoArcLength) {
 }
 
 TEST(LoadAccumulator, RefusesTooManyContactsOffTheProfile) {
-  LoadAccumulator accumulator(square_lifter(), measurement);
-  accumulator.add({0.0, 0.0, {contact_at({0.0, 0.1}, 0, 0.0), contact_at({0.0, 0.2}, 0, 0.0)}});
+  LoadAccumulator accumulator(square_lifter(), sample_measurement);
+  accumulator.add(
+      {0.0, 0.0, {sample_contact({0.0, 0.1}, 0, 0.0), sample_contact({0.0, 0.2}, 0, 0.0)}});
   EXPECT_DOUBLE_EQ(rejected_share(accumulator.finish().load), 0.5);
   EXPECT_NO_THROW(check_rejected_share(accumulator.finish().load, 0.6));
   EXPECT_THROW(check_rejected_share(accumulator.finish().load, 0.01), ResultRejected);
 }
 
 TEST(LoadAccumulator, RefusesTimesOutsideAndValuesThatAreNoNumbers) {
-  LoadAccumulator accumulator(square_lifter(), measurement);
-  auto contact = contact_at({0.0, 0.1}, 0, 0.0);
+  LoadAccumulator accumulator(square_lifter(), sample_measurement);
+  auto contact = sample_contact({0.0, 0.1}, 0, 0.0);
   EXPECT_NO_THROW(accumulator.add({2.0, 0.0, {contact}}));
   EXPECT_THROW(accumulator.add({2.1, 0.0, {contact}}), ResultRejected);
   EXPECT_THROW(accumulator.add({-0.1, 0.0, {contact}}), ResultRejected);
@@ -331,7 +305,7 @@ TEST(LoadAccumulator, RefusesTimesOutsideAndValuesThatAreNoNumbers) {
 }
 
 TEST(LoadAccumulator, RefusesAnEmptyMeasurement) {
-  auto empty = measurement;
+  auto empty = sample_measurement;
   empty.duration = 0.0;
   EXPECT_THROW(LoadAccumulator(square_lifter(), empty), InputError);
 }

@@ -48,9 +48,9 @@ $mpi liggghts -in fly.in -log none >log
 { sed '/^Atoms/,$d' charge.data
   for part in Atoms Velocities; do
     printf '\n%s\n\n' $part
-    awk -v part=$part '/^ITEM: ATOMS/ { on = 1; next } /^ITEM/ { on = 0 }
-      on && part == "Atoms" { print $1, $2, 2 * $3, $4, $5, $6, $7 }
-      on && part == "Velocities" { print $1, $8, $9, $10, $11, $12, $13 }' end.dump
+    tail -n "$(awk '/ atoms$/ { print $1 }' charge.data)" end.dump | awk -v part=$part '
+      part == "Atoms" { print $1, $2, 2 * $3, $4, $5, $6, $7 }
+      part == "Velocities" { print $1, $8, $9, $10, $11, $12, $13 }'
   done; } >flying.data
 
 # deck NAME MESH GRID SKIN ROLLING

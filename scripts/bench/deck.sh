@@ -7,7 +7,7 @@
 set -eu
 cd "$(dirname "$0")/../.."
 rounds=${1:-5} steps=${2:-300} ranks=${3:-2}
-fall_s=0.6   # until the charge has come down and is thrown
+pitches=6    # until the charge has come down and is thrown; whole ones, for the mesh starts anew
 facets=100   # a pitch, of the first mesh
 case=$PWD/cases/seed_mill_8m/case.toml
 . scripts/bench/dem_timing.sh
@@ -15,7 +15,9 @@ case=$PWD/cases/seed_mill_8m/case.toml
 $millwear deck "$case" --out "$work/ours" --quiet >/dev/null
 ours=$work/ours/cycle_000
 step=$(time_step "$ours/mix")
-fall=$(echo "$fall_s $step" | awk '{ print int($1 / $2) }')
+fall=$(awk -v pitches=$pitches -v rows="$(in_case "$work/ours" rows)" \
+  -v revolutions="$(in_case "$work/ours" mix_revolutions)" '/^run/ { print int(pitches * $2 / (revolutions * rows) + 0.5) }' \
+  "$ours/mix/deck.in")
 
 # A mesh cut into even pieces, as one would make it to hold the wear's bins.
 awk -F, -v facets=$facets -v rows="$(in_case "$work/ours" rows)" -v width="$(in_case "$work/ours" slice_length_m)" \
@@ -106,7 +108,7 @@ awk '/^modulus_reduction/ { $3 = 10 * $3 } { print }' "$case" >soft.toml
 $millwear deck soft.toml --out "$work/soft" --quiet >/dev/null
 cd "$work/soft/cycle_000/mix"
 soft_step=$(time_step .)
-fill=$(awk -v step="$soft_step" '/^run/ { print int(4.0 / step) }' deck.in)   # four seconds
+fill=$(awk -v step="$soft_step" '/^run/ { print int(3.0 / step) }' deck.in)   # three seconds
 sed -i -e "s/^run .*/run $fill/" -e "s/^thermo  .*/thermo $((fill / 200))/" -e '/^write_restart/d' deck.in
 awk '/^Atoms/ { on = 1 } on && NF == 7 { $7 = -$7 } { print }' charge.data >falling.data
 sed 's/^read_data .*/read_data falling.data/' deck.in >falling.in

@@ -89,7 +89,7 @@ std::string measure_runs(const StretchSteps& steps) {
 
 double neighbour_skin(const Case& mill) {
   if (mill.dem.skin) return *mill.dem.skin;
-  return 0.5 * std::ranges::min(mill.charge.classes, {}, &ParticleClass::diameter).diameter;
+  return 0.5 * smallest_diameter(mill);
 }
 
 std::string contact_model_deck(const Case& mill, const StretchSteps& steps,

@@ -7,6 +7,7 @@
 #include "mill/case_file.h"
 #include "mill/case_warnings.h"
 #include "orchestrator/cost_estimate.h"
+#include "orchestrator/number_or_null.h"
 #include "orchestrator/verbs.h"
 
 namespace millwear::orchestrator {
@@ -24,17 +25,14 @@ nlohmann::json check_json(const Case& mill, int ranks) {
     classes.push_back({{"material", mill.materials[kind.material].name},
                        {"diameter_m", kind.diameter},
                        {"count", kind.count}});
-  const auto optional = [](const std::optional<double>& value) {
-    return value ? nlohmann::json(*value) : nlohmann::json(nullptr);
-  };
   return {{"case", mill.name},
           {"classes", classes},
           {"particles", charge.particles},
           {"solid_volume_m3", charge.solid_volume},
           {"mass_kg", charge.mass},
           {"filling_computed", filling_inside_plate(mill)},
-          {"filling_declared", optional(mill.charge.declared.total)},
-          {"ball_filling_declared", optional(mill.charge.declared.balls)},
+          {"filling_declared", number_or_null(mill.charge.declared.total)},
+          {"ball_filling_declared", number_or_null(mill.charge.declared.balls)},
           {"speed_rpm", mill.speed * 30.0 / std::numbers::pi},
           {"critical_speed_fraction", critical_speed_fraction(mill)},
           {"lifter_height_m", lifter_height(mill.liner)},

@@ -21,6 +21,7 @@
 #include "orchestrator/gather.h"
 #include "orchestrator/gauge_folder.h"
 #include "orchestrator/lowered_limits.h"
+#include "orchestrator/number_or_null.h"
 #include "orchestrator/result_files.h"
 #include "orchestrator/run_lock.h"
 #include "orchestrator/stretch_run.h"
@@ -222,8 +223,7 @@ nlohmann::json latest_measurement_json(const std::optional<std::pair<int, Measur
   const auto& [cycle, load] = *measured;
   return {{"cycle", cycle},
           {"revolutions", load.revolutions},
-          {"peak_relative_error",
-           std::isfinite(load.peak_error) ? nlohmann::json(load.peak_error) : nullptr},
+          {"peak_relative_error", number_or_null(load.peak_error)},
           {"ended", name_of(end_of(load))}};
 }
 

@@ -7,8 +7,6 @@
 
 #include "mill/failure.h"
 #include "mill/published_file.h"
-#include "wear/block_persistence.h"
-#include "wear/wear_law.h"
 
 namespace millwear::orchestrator {
 namespace {
@@ -97,9 +95,7 @@ double milling_time_before(const Campaign& campaign, int cycle) {
 
 wear::TimedLoad timed_load(const Campaign& campaign, int cycle, double time,
                            const wear::LoadRate& rate) {
-  return {
-      time, dem_liner_of_cycle(campaign, cycle), rate.smoothed.rate,
-      wear::as_independent(wear::depth_rate_by_block(wear::weights_of(campaign.mill), rate.load))};
+  return {time, dem_liner_of_cycle(campaign, cycle), rate.smoothed.rate, rate.by_block};
 }
 
 double share_of_life(const Case& mill, const LinerProfile& liner) {

@@ -18,13 +18,13 @@ LoadRate rate_of_load(const Case& mill, const WallLoad& recorded) {
   auto by_contact = weights_of(mill);
   const double corrosion = std::exchange(by_contact.corrosion, 0.0);
   const Eigen::VectorXd raw = depth_rate(by_contact, load);
-  auto smooth = smoothed(load.bin_edges, raw, as_independent(depth_rate_by_block(by_contact, load)),
-                         smoothing_of(mill));
+  const Eigen::MatrixXd by_block = as_independent(depth_rate_by_block(by_contact, load));
+  auto smooth = smoothed(load.bin_edges, raw, by_block, smoothing_of(mill));
   if (corrosion > 0.0) {
     smooth.rate.values.array() += corrosion;
     smooth.moved_share *= raw.sum() / smooth.rate.values.sum();
   }
-  return {load, raw.array() + corrosion, std::move(smooth)};
+  return {load, raw.array() + corrosion, by_block.array() + corrosion, std::move(smooth)};
 }
 
 Eigen::VectorXd error_of_mean(const Eigen::MatrixXd& by_block) {

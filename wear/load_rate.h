@@ -7,8 +7,11 @@ namespace millwear::wear {
 
 /// A load as bins and as the loss of steel it stands for.
 struct LoadRate {
-  WallLoad load;          ///< on the case's bins
-  Eigen::VectorXd raw;    ///< depth rate of every bin [m/s]
+  WallLoad load;        ///< on the case's bins
+  Eigen::VectorXd raw;  ///< depth rate of every bin [m/s]
+  /// The same from each time block, bins x blocks, scattered as independent ones
+  /// (`as_independent`).
+  Eigen::MatrixXd by_block;
   SmoothedLoss smoothed;  ///< the same, smoothed along the profile, with its errors
 };
 

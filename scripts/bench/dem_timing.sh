@@ -16,5 +16,5 @@ loop_seconds() { awk '/^Loop time of/ { t = $4 } END { print t }' "$1"; }
 # the time step [s] of a stretch's folder
 time_step() { awk '/^timestep/ { print $2 }' "$1/contact_model.in"; }
 
-# key [m] of the case that a campaign's folder holds
+# the value of a key of the case that a campaign's folder holds
 in_case() { awk -v key="$2" '$1 == key { print $3; exit }' "$1/case.lock.toml"; }

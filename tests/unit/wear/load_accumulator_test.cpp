@@ -167,7 +167,7 @@ TEST(LoadAccumulator, RanksAddUp) {
   EXPECT_EQ(twice.rejected[0], 2.0 * accumulator.finish().load.rejected[0]);
 }
 
-// What already lies there as the sample_measurement begins is a contact, but no collision.
+// What already lies there as the measurement begins is a contact, but no collision.
 TEST(LoadAccumulator, WhatTouchedBeforeIsNoNewCollision) {
   std::vector<Collision> ended;
   LoadAccumulator accumulator(square_lifter(), sample_measurement,

@@ -21,7 +21,9 @@ struct PlacedParticle {
 /// is too much to be placed apart (above roughly 38 % solid).
 [[nodiscard]] std::vector<PlacedParticle> pack_charge(const Case& mill);
 
-/// The packing as a LIGGGHTS data file, in a box that encloses the shell.
+/// The packing as a LIGGGHTS data file, in a box that encloses the shell and goes on beyond its
+/// rising side as far as puts the box's middle where the charge in motion has its own: cut there,
+/// it gives two ranks half of the particles each.
 [[nodiscard]] std::string charge_data_file(const Case& mill,
                                            const std::vector<PlacedParticle>& charge);
 

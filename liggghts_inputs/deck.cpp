@@ -75,6 +75,11 @@ std::string drift(const Case& mill) {
       plan.piece);
 }
 
+/// Half of an even number of ranks on either side of the charge's middle, where the box of
+/// `charge_data_file` is cut; along the axis the charge is even, but slabs thinner than the largest
+/// particle have mostly ghosts in them.
+std::string rank_grid(int ranks) { return ranks % 2 == 0 ? "2 * 1" : "1 * 1"; }
+
 std::string measure_runs(const StretchSteps& steps) {
   if (steps.pair_steps == 0) return fmt::format("run           {}", steps.measure_steps);
   if (steps.pair_steps == steps.measure_steps)
@@ -122,10 +127,11 @@ std::string contact_model_deck(const Case& mill, const StretchSteps& steps,
        {"period_s", number(2.0 * std::numbers::pi / mill.speed)}});
 }
 
-std::string mixing_deck(const Case& mill, const StretchSteps& steps) {
+std::string mixing_deck(const Case& mill, const StretchSteps& steps, int ranks) {
   return filled_template(
       mix_template,
       {{"case_name", mill.name},
+       {"rank_grid", rank_grid(ranks)},
        {"charge_file", file_names::charge},
        {"skin_m", number(neighbour_skin(mill))},
        {"contact_model_file", file_names::contact_model},
@@ -137,10 +143,11 @@ std::string mixing_deck(const Case& mill, const StretchSteps& steps) {
 }
 
 std::string measuring_deck(const Case& mill, const StretchSteps& steps, const LinerProfile& worn,
-                           const std::string& previous_restart) {
+                           const std::string& previous_restart, int ranks) {
   return filled_template(
       measure_template,
       {{"case_name", mill.name},
+       {"rank_grid", rank_grid(ranks)},
        {"previous_restart_file", previous_restart},
        {"skin_m", number(neighbour_skin(mill))},
        {"contact_model_file", file_names::contact_model},
@@ -156,8 +163,9 @@ std::string measuring_deck(const Case& mill, const StretchSteps& steps, const Li
 }
 
 std::string trial_deck(const Case& mill, const TrialSteps& steps,
-                       const std::string& previous_restart) {
+                       const std::string& previous_restart, int ranks) {
   return filled_template(trial_template, {{"case_name", mill.name},
+                                          {"rank_grid", rank_grid(ranks)},
                                           {"previous_restart_file", previous_restart},
                                           {"skin_m", number(neighbour_skin(mill))},
                                           {"contact_model_file", file_names::contact_model},

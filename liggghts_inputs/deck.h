@@ -38,14 +38,16 @@ enum class StretchKind { mix, trial, measure };
                                              const LinerMeshFile& mesh, StretchKind kind,
                                              int cycle);
 
-/// The deck of the first stretch: reads the packed charge, mixes it, writes a restart file.
-[[nodiscard]] std::string mixing_deck(const Case& mill, const StretchSteps& steps);
+/// The deck of the first stretch: reads the packed charge, mixes it, writes a restart file. Like
+/// the others for `ranks` MPI ranks: one for an even number runs on any even number, one for an odd
+/// number on any.
+[[nodiscard]] std::string mixing_deck(const Case& mill, const StretchSteps& steps, int ranks);
 
 /// The deck of a measuring stretch on `worn`, the liner of this cycle, from the charge that
 /// `previous_restart` (a path relative to the run's folder) holds.
 [[nodiscard]] std::string measuring_deck(const Case& mill, const StretchSteps& steps,
                                          const LinerProfile& worn,
-                                         const std::string& previous_restart);
+                                         const std::string& previous_restart, int ranks);
 
 /// The steps of one trial of LIGGGHTS's speed.
 struct TrialSteps {
@@ -57,6 +59,6 @@ struct TrialSteps {
 /// The deck of a trial of speed, with the case's `neighbour_skin`, from the charge that
 /// `previous_restart` holds. It leaves no restart file.
 [[nodiscard]] std::string trial_deck(const Case& mill, const TrialSteps& steps,
-                                     const std::string& previous_restart);
+                                     const std::string& previous_restart, int ranks);
 
 }  // namespace millwear::liggghts

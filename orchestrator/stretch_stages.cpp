@@ -181,7 +181,7 @@ void write_mixing_deck(const Campaign& campaign, int cycle, const fs::path& into
   Case packed = mill;
   packed.liner = dem_liner_of_cycle(campaign, cycle);
   write_file(into / names::charge, liggghts::charge_data_file(mill, liggghts::pack_charge(packed)));
-  write_file(into / names::deck, liggghts::mixing_deck(mill, steps));
+  write_file(into / names::deck, liggghts::mixing_deck(mill, steps, campaign.ranks));
   write_file(into / names::contact_model,
              liggghts::contact_model_deck(mill, steps, mesh_of(campaign, cycle),
                                           liggghts::StretchKind::mix, cycle));
@@ -192,7 +192,7 @@ void write_measuring_deck(const Campaign& campaign, int cycle, const fs::path& i
   const auto steps = liggghts::measuring_steps(mill, plan_steps(mill));
   write_file(into / names::deck,
              liggghts::measuring_deck(mill, steps, dem_liner_of_cycle(campaign, cycle),
-                                      previous_restart(campaign, cycle)));
+                                      previous_restart(campaign, cycle), campaign.ranks));
   write_file(into / names::contact_model,
              liggghts::contact_model_deck(mill, steps, mesh_of(campaign, cycle),
                                           liggghts::StretchKind::measure, cycle));

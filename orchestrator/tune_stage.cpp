@@ -42,7 +42,8 @@ void time_piece(const TrialBench& bench, SkinTrial& trial) {
   Case mill = bench.campaign.mill;
   mill.dem.skin = trial.skin;
   write_file(bench.folder / names::deck,
-             liggghts::trial_deck(mill, bench.steps, fmt::format("../mix/{}", names::restart)));
+             liggghts::trial_deck(mill, bench.steps, fmt::format("../mix/{}", names::restart),
+                                  bench.campaign.ranks));
   run_liggghts({bench.folder, bench.campaign.ranks, {}}, {});
   const fs::path log = bench.folder / names::log;
   const std::string printed = read_file(log);

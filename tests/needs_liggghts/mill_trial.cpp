@@ -32,9 +32,10 @@ Stretch run(const Case& mill, const liggghts::StretchSteps& steps, meshgen::Line
 
 void write_measuring_deck(const Case& mill, const liggghts::StretchSteps& steps,
                           const LinerProfile& liner, const std::filesystem::path& folder,
-                          const std::string& previous) {
-  write_text(folder / names::deck,
-             liggghts::measuring_deck(mill, steps, liner, "../" + previous + "/" + names::restart));
+                          const std::string& previous, int ranks) {
+  write_text(
+      folder / names::deck,
+      liggghts::measuring_deck(mill, steps, liner, "../" + previous + "/" + names::restart, ranks));
 }
 
 }  // namespace
@@ -49,7 +50,7 @@ Stretch mix(const Case& mill, const liggghts::StretchSteps& steps,
             const std::filesystem::path& folder, int ranks) {
   auto mesh = write_liner_mesh(mill, mill.liner, folder);
   write_text(folder / names::charge, liggghts::charge_data_file(mill, liggghts::pack_charge(mill)));
-  write_text(folder / names::deck, liggghts::mixing_deck(mill, steps));
+  write_text(folder / names::deck, liggghts::mixing_deck(mill, steps, ranks));
   return run(mill, steps, std::move(mesh), folder, liggghts::StretchKind::mix, 0, ranks, {});
 }
 
@@ -57,7 +58,7 @@ Stretch measure(const Case& mill, const liggghts::StretchSteps& steps, const Lin
                 const std::filesystem::path& folder, const std::string& previous, int cycle,
                 int ranks, const ChangeDeck& change) {
   auto mesh = write_liner_mesh(mill, liner, folder);
-  write_measuring_deck(mill, steps, liner, folder, previous);
+  write_measuring_deck(mill, steps, liner, folder, previous, ranks);
   return run(mill, steps, std::move(mesh), folder, liggghts::StretchKind::measure, cycle, ranks,
              change);
 }
@@ -66,7 +67,7 @@ Recording record(const Case& mill, const liggghts::StretchSteps& steps, const Li
                  const std::filesystem::path& folder, const std::string& previous, int ranks,
                  const ChangeDeck& change) {
   const auto mesh = write_liner_mesh(mill, liner, folder);
-  write_measuring_deck(mill, steps, liner, folder, previous);
+  write_measuring_deck(mill, steps, liner, folder, previous, ranks);
   const auto expected =
       write_contact_model(mill, steps, mesh, folder, liggghts::StretchKind::measure, 0);
   if (change) change(folder);

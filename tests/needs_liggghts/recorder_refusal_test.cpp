@@ -65,7 +65,7 @@ class RecorderRefusal : public ::testing::Test {
     const auto mesh = write_liner_mesh(mill, mill.liner, folder_);
     write_text(folder_ / names::deck,
                liggghts::measuring_deck(mill, steps_, mill.liner,
-                                        fmt::format("../{}/{}", mix_stage, names::restart)));
+                                        fmt::format("../{}/{}", mix_stage, names::restart), 1));
     write_text(folder_ / names::contact_model,
                liggghts::contact_model_deck(mill, steps_, {"liner.stl", mesh.triangles.size()},
                                             liggghts::StretchKind::measure, 0));

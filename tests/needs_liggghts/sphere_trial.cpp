@@ -105,7 +105,7 @@ liggghts::StretchExpectation write_sphere_deck(const Case& mill,
              liggghts::contact_model_deck(mill, steps, {"liner.stl", mesh.triangles.size()},
                                           liggghts::StretchKind::measure, 0));
   write_text(folder / names::deck,
-             with(with(liggghts::measuring_deck(mill, steps, mill.liner, names::charge),
+             with(with(liggghts::measuring_deck(mill, steps, mill.liner, names::charge, 1),
                        "read_restart", "read_data"),
                   contact_model, contact_model + lines));
   return {1, mesh.triangles.size(), steps.total()};

@@ -1,5 +1,6 @@
 #include "liggghts_inputs/charge_packing.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -125,13 +126,13 @@ TEST(PackCharge, RefusesAChargeThatDoesNotFit) {
               ThrowsMessage<InputError>(HasSubstr("of 200 particles of 0.1 m find no place")));
 }
 
-TEST(ChargeDataFile, HoldsTheChargeInABoxAroundTheShell) {
+TEST(ChargeDataFile, HoldsTheChargeInABoxWithTheMovingChargeInItsMiddle) {
   const Case mill = example_case();
   const auto text = charge_data_file(mill, {{{0.1, 0.05, -0.4}, 0}, {{-0.1, 0.15, -0.3}, 2}});
-  EXPECT_EQ(text,
-            "# charge of example\n\n2 atoms\n2 atom types\n-0.5304 0.5304 xlo xhi\n"
-            "0 0.2 ylo yhi\n-0.5304 0.5304 zlo zhi\n\nAtoms\n\n"
-            "1 1 0.05 7800 0.1 0.05 -0.4\n2 2 0.02 2700 -0.1 0.15 -0.3\n");
+  EXPECT_EQ(text, fmt::format("# charge of example\n\n2 atoms\n2 atom types\n{} 0.5304 xlo xhi\n"
+                              "0 0.2 ylo yhi\n-0.5304 0.5304 zlo zhi\n\nAtoms\n\n",
+                              -2.0 * 0.41 * 0.5 - 0.5304) +
+                      "1 1 0.05 7800 0.1 0.05 -0.4\n2 2 0.02 2700 -0.1 0.15 -0.3\n");
 }
 
 }  // namespace

@@ -24,10 +24,10 @@ std::string liner_deck(StretchKind kind, int cycle) {
 
 TEST(Deck, LeavesNoPlaceholderBehind) {
   const Case mill = example_case();
-  for (const auto& deck :
-       {mixing_deck(mill, steps), measuring_deck(mill, steps, mill.liner, "../mix/charge.restart"),
-        trial_deck(mill, {25, 100}, "../mix/charge.restart"), liner_deck(StretchKind::mix, 0),
-        liner_deck(StretchKind::measure, 3)}) {
+  for (const auto& deck : {mixing_deck(mill, steps, 1),
+                           measuring_deck(mill, steps, mill.liner, "../mix/charge.restart", 1),
+                           trial_deck(mill, {25, 100}, "../mix/charge.restart", 1),
+                           liner_deck(StretchKind::mix, 0), liner_deck(StretchKind::measure, 3)}) {
     EXPECT_THAT(deck, Not(HasSubstr("{{")));
     EXPECT_THAT(deck, Not(HasSubstr("}}")));
   }
@@ -36,8 +36,18 @@ TEST(Deck, LeavesNoPlaceholderBehind) {
 TEST(Deck, PrintsTheSentinelLast) {
   const Case mill = example_case();
   const std::string end = "print         \"millwear: stretch complete\"\n";
-  EXPECT_THAT(mixing_deck(mill, steps), EndsWith(end));
-  EXPECT_THAT(measuring_deck(mill, steps, mill.liner, "x"), EndsWith(end));
+  EXPECT_THAT(mixing_deck(mill, steps, 1), EndsWith(end));
+  EXPECT_THAT(measuring_deck(mill, steps, mill.liner, "x", 1), EndsWith(end));
+}
+
+TEST(Deck, CutsTheChargeInTwoForAnEvenNumberOfRanks) {
+  const Case mill = example_case();
+  for (const auto& deck : {mixing_deck(mill, steps, 4), trial_deck(mill, {25, 100}, "x", 2),
+                           measuring_deck(mill, steps, mill.liner, "x", 2)})
+    EXPECT_THAT(deck, HasSubstr("\nprocessors    2 * 1\n"));
+  for (const auto& deck : {mixing_deck(mill, steps, 1), trial_deck(mill, {25, 100}, "x", 3),
+                           measuring_deck(mill, steps, mill.liner, "x", 3)})
+    EXPECT_THAT(deck, HasSubstr("\nprocessors    1 * 1\n"));
 }
 
 TEST(Deck, GivesEveryMeshAnIdOfItsOwn) {
@@ -48,11 +58,11 @@ TEST(Deck, GivesEveryMeshAnIdOfItsOwn) {
 
 TEST(Deck, OfAMixingThatEndsOnceItIsSteadyAveragesOverItsPieces) {
   Case mill = example_case();
-  EXPECT_THAT(mixing_deck(mill, steps), Not(HasSubstr("drift")));
+  EXPECT_THAT(mixing_deck(mill, steps, 1), Not(HasSubstr("drift")));
   mill.dem.mix_until_steady = true;
   const long piece = mixing_plan(mill, plan_steps(mill)).piece;
   EXPECT_THAT(
-      mixing_deck(mill, steps),
+      mixing_deck(mill, steps, 1),
       HasSubstr(fmt::format("fix           drift all ave/time 1 {0} {0} v_torque c_kinetic\n"
                             "run           24000\n",
                             piece)));
@@ -74,7 +84,7 @@ TEST(Deck, GivesLiggghtsTheSoftenedModuliAndEveryPair) {
 // a ball whose centre is nearer to the axis than 0.46 - 0.025 - 0.001 - 0.0003 m cannot touch.
 TEST(Deck, DumpsTheSpinOfEveryParticleThatCanTouch) {
   const Case mill = example_case();
-  const auto deck = measuring_deck(mill, steps, mill.liner, "x");
+  const auto deck = measuring_deck(mill, steps, mill.liner, "x", 1);
   const std::string before = "region        near_wall cylinder y 0 0 ";
   const auto start = deck.find(before);
   ASSERT_NE(start, std::string::npos);

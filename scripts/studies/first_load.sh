@@ -5,14 +5,15 @@ here=$(cd "$(dirname "$0")/../.." && pwd)
 desktop=$here/cases/seed_mill_8m_desktop
 millwear=${MILLWEAR:-$here/build/release/millwear}
 
-# cut [m], softening of steel and of ore, grain size, slice [m], share of the Rayleigh time, seed,
-# revolutions mixed and measured, speed [rpm], and a measured profile in place of the new lifter
+# cut [m], whether rocks of 180 and 122 mm stay, softening of steel and of ore, grain size, slice [m],
+# share of the Rayleigh time, seed, revolutions mixed and measured, speed [rpm], and a measured profile
+# in place of the new lifter
 standard() {
-  cut=0.063 steel=400 ore=100 grain=1 slice=0.25 rayleigh=0.3 seed=1 mix=0.9 measure=0.5 speed=11.4 profile=""
+  cut=0.063 rocks=no steel=400 ore=100 grain=1 slice=0.25 rayleigh=0.3 seed=1 mix=0.9 measure=0.5 speed=11.4 profile=""
 }
 
 case_of() {
-  awk -v name="$1" -v cut="$cut" -v steel="$steel" -v ore="$ore" -v grain="$grain" -v slice="$slice" \
+  awk -v name="$1" -v cut="$cut" -v rocks="$rocks" -v steel="$steel" -v ore="$ore" -v grain="$grain" -v slice="$slice" \
       -v rayleigh="$rayleigh" -v seed="$seed" -v mix="$mix" -v measure="$measure" -v speed="$speed" \
       -v profile="$profile" '
     function scaled(line,   n, part, i, text) {
@@ -33,6 +34,7 @@ case_of() {
     /^size_m = \[$/ { sizes = 1; print; next }
     sizes && /^\]/ { sizes = 0 }
     sizes { print "  " scaled($0) ","; next }
+    rocks == "yes" { sub(/0.00, 0.00, 0.66,/, "0.10, 0.10, 0.46,") }
     /^rayleigh_fraction/ { print "rayleigh_fraction =", rayleigh; next }
     /^mix_until_steady/ { next }
     /^mix_revolutions/ { print "mix_revolutions =", mix "\nseed = " seed "\nranks = 1"; next }

@@ -92,7 +92,7 @@ namespace {
 liggghts::StretchExpectation write_sphere_deck(const Case& mill,
                                                const liggghts::StretchSteps& steps,
                                                const Launch& launch, const std::string& lines,
-                                               const std::filesystem::path& folder) {
+                                               const std::filesystem::path& folder, int ranks) {
   namespace names = liggghts::file_names;
   const auto mesh = write_liner_mesh(mill, mill.liner, folder);
   const std::string contact_model = fmt::format("include       {}\n", names::contact_model);
@@ -105,7 +105,7 @@ liggghts::StretchExpectation write_sphere_deck(const Case& mill,
              liggghts::contact_model_deck(mill, steps, {"liner.stl", mesh.triangles.size()},
                                           liggghts::StretchKind::measure, 0));
   write_text(folder / names::deck,
-             with(with(liggghts::measuring_deck(mill, steps, mill.liner, names::charge, 1),
+             with(with(liggghts::measuring_deck(mill, steps, mill.liner, names::charge, ranks),
                        "read_restart", "read_data"),
                   contact_model, contact_model + lines));
   return {1, mesh.triangles.size(), steps.total()};
@@ -117,7 +117,7 @@ Dumps run_sphere(const Case& mill, const liggghts::StretchSteps& steps, const La
                  const std::string& lines) {
   const ScratchFolder scratch;
   const auto folder = scratch.stage("dem");
-  return run_deck(folder, 1, write_sphere_deck(mill, steps, launch, lines, folder));
+  return run_deck(folder, 1, write_sphere_deck(mill, steps, launch, lines, folder, 1));
 }
 
 Recording record_sphere(const Case& mill, const liggghts::StretchSteps& steps, const Launch& launch,
@@ -125,7 +125,7 @@ Recording record_sphere(const Case& mill, const liggghts::StretchSteps& steps, c
   const ScratchFolder scratch;
   const auto folder = scratch.stage("dem");
   return record_deck(mill, steps, mill.liner, folder, ranks,
-                     write_sphere_deck(mill, steps, launch, lines, folder));
+                     write_sphere_deck(mill, steps, launch, lines, folder, ranks));
 }
 
 }  // namespace millwear::trial

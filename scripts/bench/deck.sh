@@ -3,7 +3,7 @@
 # that one writes first (a mesh of 100 facets a pitch, `processors 2 1 1`, skin 10 mm, `epsd2`) to the
 # one that millwear writes, one change at a time. Every deck goes on from the same charge in flight;
 # they take turns, so that what else the machine does hits all alike. Then the two ways to fill.
-#   scripts/bench/deck.sh [rounds] [steps] [ranks]      idle machine, a core a rank
+#   scripts/bench/deck.sh [rounds] [steps] [ranks]      idle machine, a core a rank, an even number
 set -eu
 cd "$(dirname "$0")/../.."
 rounds=${1:-5} steps=${2:-300} ranks=${3:-2}
@@ -12,7 +12,7 @@ facets=100   # a pitch, of the first mesh
 case=$PWD/cases/seed_mill_8m/case.toml
 . scripts/bench/dem_timing.sh
 
-$millwear deck "$case" --out "$work/ours" --quiet >/dev/null
+$millwear deck "$case" --out "$work/ours" --ranks "$ranks" --quiet >/dev/null
 ours=$work/ours/cycle_000
 step=$(time_step "$ours/mix")
 fall=$(awk -v pitches=$pitches -v rows="$(in_case "$work/ours" rows)" \
@@ -40,7 +40,8 @@ awk -F, -v facets=$facets -v rows="$(in_case "$work/ours" rows)" -v width="$(in_
     }
     print "endsolid fine" }' "$ours/mesh/profile.csv" >"$work/fine.stl"
 
-# The charge in flight, as a data file that every deck can read whatever its models.
+# The charge in flight, as a data file that every deck can read whatever its models: in the box that
+# puts the charge in its middle, and in one even around the mill.
 cd "$ours/mix"
 sed "s/^run .*/dump end all custom $fall end.dump id type radius density x y z vx vy vz omegax omegay omegaz\\
 dump_modify end first no sort id format \"%d %d %.9g %.9g %.12g %.12g %.12g %.9g %.9g %.9g %.9g %.9g %.9g\"\\
@@ -54,28 +55,31 @@ $mpi liggghts -in fly.in -log none >log
       part == "Atoms" { print $1, $2, 2 * $3, $4, $5, $6, $7 }
       part == "Velocities" { print $1, $8, $9, $10, $11, $12, $13 }'
   done; } >flying.data
+awk '/xlo xhi$/ { $1 = -$2 } { print }' flying.data >flying_even.data
 
-# deck NAME MESH GRID SKIN ROLLING
+# deck NAME MESH CHARGE GRID SKIN ROLLING
 deck() {
   mkdir -p "$work/$1"
-  sed -e "s|file [^ ]*\.stl|file $2|" -e "s/rolling_friction [a-z0-9]*/rolling_friction $5/" \
+  sed -e "s|file [^ ]*\.stl|file $2|" -e "s/rolling_friction [a-z0-9]*/rolling_friction $6/" \
     contact_model.in >"$work/$1/contact_model.in"
-  sed -e "s/^processors .*/processors $3/" -e "s/^neighbor .*/neighbor $4 bin/" \
-    -e "s|^read_data .*|read_data $ours/mix/flying.data|" -e "/^write_restart/d" \
+  sed -e "s/^processors .*/processors $4/" -e "s/^neighbor .*/neighbor $5 bin/" \
+    -e "s|^read_data .*|read_data $ours/mix/$3|" -e "/^write_restart/d" \
     -e "s/^run .*/run 100\\nrun $steps/" deck.in >"$work/$1/deck.in"
 }
 mesh=$ours/mesh/liner.stl
 skin=$(awk '/^neighbor/ { print $2 }' deck.in)
 rolling=$(sed -n 's/.*rolling_friction \([a-z0-9]*\).*/\1/p' contact_model.in | tail -1)
-decks="first mesh ranks skin ours"
-deck first "$work/fine.stl" "$ranks 1 1" 0.010 epsd2
-deck mesh  "$mesh"          "$ranks 1 1" 0.010 epsd2
-deck ranks "$mesh"          "1 $ranks 1" 0.010 epsd2
-deck skin  "$mesh"          "1 $ranks 1" "$skin" epsd2
-deck ours  "$mesh"          "1 $ranks 1" "$skin" "$rolling"
+grid=$(awk '/^processors/ { print $2, $3, $4 }' deck.in)
+decks="first mesh axis middle skin ours"
+deck first  "$work/fine.stl" flying_even.data "$ranks 1 1" 0.010 epsd2
+deck mesh   "$mesh"          flying_even.data "$ranks 1 1" 0.010 epsd2
+deck axis   "$mesh"          flying_even.data "1 $ranks 1" 0.010 epsd2
+deck middle "$mesh"          flying.data      "$grid"      0.010 epsd2
+deck skin   "$mesh"          flying.data      "$grid"      "$skin" epsd2
+deck ours   "$mesh"          flying.data      "$grid"      "$skin" "$rolling"
 cd "$work"
 
-echo "round: seconds of $steps steps of the first deck, + mesh, + ranks along the axis, + skin $skin m, + $rolling; load $(cut -d' ' -f1 /proc/loadavg)"
+echo "round: seconds of $steps steps of the first deck, + mesh, + ranks along the axis, the charge cut in its middle instead, + skin $skin m, + $rolling; load $(cut -d' ' -f1 /proc/loadavg)"
 for round in $(seq "$rounds"); do
   times=""
   for name in $decks; do
@@ -98,14 +102,15 @@ printf '\n%-40s %8s %14s %8s %12s\n' "" steps/s "sim. s an hour" factor "of the 
 row 1 "the deck one writes first"
 row 2 "+ mesh as coarse as the shape allows"
 row 3 "+ ranks along the axis"
-row 4 "+ skin"
-row 5 "+ rolling friction that is optimised"
+row 4 "the charge cut in its middle instead"
+row 5 "+ skin"
+row 6 "+ rolling friction that is optimised"
 
 # Filling: the packing that millwear makes, against a charge that falls from the top (the packing
 # turned upside down), with contacts softened ten times more so that it takes minutes. Steady is when
 # the kinetic energy was last a quarter off its mean over the last fifth of the run.
 awk '/^modulus_reduction/ { $3 = 10 * $3 } { print }' "$case" >soft.toml
-$millwear deck soft.toml --out "$work/soft" --quiet >/dev/null
+$millwear deck soft.toml --out "$work/soft" --ranks "$ranks" --quiet >/dev/null
 cd "$work/soft/cycle_000/mix"
 soft_step=$(time_step .)
 fill=$(awk -v step="$soft_step" '/^run/ { print int(3.0 / step) }' deck.in)   # three seconds

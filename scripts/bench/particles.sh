@@ -13,7 +13,7 @@ fall_s=0.35
 charge() {
   sed -e "s/^truncate_below_m.*/truncate_below_m = $2/" -e "s/^total_filling.*/total_filling = $3/" \
     -e "s/^ball_filling.*/ball_filling = $4/" cases/seed_mill_8m_desktop/case.toml >"$work/$1.toml"
-  $millwear deck "$work/$1.toml" --out "$work/$1" --quiet >/dev/null
+  $millwear deck "$work/$1.toml" --out "$work/$1" --ranks "$ranks" --quiet >/dev/null
   mix=$work/$1/cycle_000/mix
   fall=$(echo "$fall_s $(time_step "$mix")" | awk '{ print int($1 / $2) }')
   sed -e "s/^run .*/run $fall/" -e "s/^thermo  .*/thermo 1000/" "$mix/deck.in" >"$mix/fall.in"

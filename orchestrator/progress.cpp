@@ -13,7 +13,6 @@ namespace {
 
 constexpr int bar_width = 24;
 constexpr auto bar_interval = std::chrono::milliseconds(200);
-constexpr auto line_interval = std::chrono::seconds(60);
 
 std::string bar(double share, bool colour) {
   const int full = static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * bar_width));
@@ -31,8 +30,9 @@ std::string spoken_time(double seconds) {
   return fmt::format("{} s", whole);
 }
 
-Progress::Progress(Verbosity verbosity)
+Progress::Progress(Verbosity verbosity, std::chrono::seconds line_interval)
     : verbosity_(verbosity),
+      line_interval_(line_interval),
       terminal_(::isatty(STDERR_FILENO) == 1),
       colour_(terminal_ && std::getenv("NO_COLOR") == nullptr) {}
 
@@ -53,7 +53,10 @@ void Progress::begin(const std::string& what, double share_before, double share_
   share_before_ = share_before;
   share_after_ = share_after;
   done_ = 0.0;
-  if (first_share_ < 0.0) first_share_ = share_before;
+  if (first_share_ < 0.0 && share_after > share_before) {
+    first_share_ = share_before;
+    started_ = Clock::now();
+  }
   drawn_ = Clock::now();
   if (terminal_) draw();
 }
@@ -62,7 +65,7 @@ void Progress::rename(const std::string& what) { what_ = what; }
 
 void Progress::advance(double done) {
   done_ = std::clamp(done, 0.0, 1.0);
-  const auto interval = terminal_ ? Clock::duration(bar_interval) : Clock::duration(line_interval);
+  const auto interval = terminal_ ? Clock::duration(bar_interval) : Clock::duration(line_interval_);
   if (Clock::now() - drawn_ > interval) draw();
 }
 
@@ -71,7 +74,7 @@ void Progress::end() { clear_bar(); }
 std::string Progress::time_left() const {
   const double share = share_before_ + done_ * (share_after_ - share_before_);
   const double gained = share - first_share_;
-  if (gained < 0.01) return "";
+  if (first_share_ < 0.0 || gained < 0.01) return "";
   const double elapsed = std::chrono::duration<double>(Clock::now() - started_).count();
   return fmt::format("  about {} left", spoken_time(elapsed * (1.0 - share) / gained));
 }

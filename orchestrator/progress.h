@@ -10,7 +10,9 @@ enum class Verbosity { quiet, normal, verbose };
 /// line now and then. Everything goes to standard error.
 class Progress {
  public:
-  explicit Progress(Verbosity verbosity);
+  /// `line_interval`: between the lines, where there is no terminal.
+  explicit Progress(Verbosity verbosity,
+                    std::chrono::seconds line_interval = std::chrono::seconds(60));
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
@@ -38,6 +40,7 @@ class Progress {
   [[nodiscard]] std::string time_left() const;
 
   Verbosity verbosity_;
+  std::chrono::seconds line_interval_;
   bool terminal_;
   bool colour_;
   bool bar_shown_ = false;
@@ -45,8 +48,8 @@ class Progress {
   double share_before_ = 0.0;
   double share_after_ = 0.0;
   double done_ = 0.0;
-  Clock::time_point started_ = Clock::now();
-  double first_share_ = -1.0;
+  Clock::time_point started_{};  ///< on the first piece that takes the campaign on
+  double first_share_ = -1.0;    ///< then; below 0 before
   Clock::time_point drawn_{};
 };
 

@@ -121,7 +121,9 @@ void print_outcome(const Command& command, const RunFolder& folder, const Report
   fmt::print("{}\nreport: {}\n", spoken_outcome(data), folder.report().string());
 }
 
-/// What a stage adds to the share of the liner's life: measuring and wearing take a cycle's share.
+/// What a stage adds to the share of the liner's life: measuring and wearing take a cycle's share,
+/// expected to be that of the cycle before. How far the first load of the adaptive scheme goes is
+/// not known beforehand.
 struct StageShare {
   double before;
   double after;
@@ -133,7 +135,9 @@ StageShare share_of(const Campaign& campaign, const StageId& stage) {
   const double earlier =
       stage.cycle == 0 ? 0.0
                        : share_of_life(campaign.mill, liner_of_cycle(campaign, stage.cycle - 1));
-  const double gain = stage.cycle == 0 ? campaign.mill.campaign.threshold : now - earlier;
+  const auto& settings = campaign.mill.campaign;
+  const double first = settings.scheme == Scheme::threshold ? settings.threshold : 0.0;
+  const double gain = stage.cycle == 0 ? first : now - earlier;
   return {now, std::min(1.0, now + gain)};
 }
 

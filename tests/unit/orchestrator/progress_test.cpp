@@ -1,9 +1,16 @@
 #include "orchestrator/progress.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <chrono>
 
 namespace millwear::orchestrator {
 namespace {
+
+using ::testing::AllOf;
+using ::testing::EndsWith;
+using ::testing::StartsWith;
 
 TEST(SpokenTime, TakesTheTwoLargestUnits) {
   EXPECT_EQ(spoken_time(0.4), "0 s");
@@ -29,6 +36,21 @@ TEST(Progress, PrintsNothingWhenQuiet) {
     progress.end();
   }
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+// Mixing takes the liner nowhere, so the time it takes says nothing of the time that is left.
+TEST(Progress, TellsTheTimeLeftOfPiecesThatGainSomething) {
+  testing::internal::CaptureStderr();
+  {
+    Progress progress(Verbosity::normal, std::chrono::seconds(0));
+    progress.begin("cycle 0 mix", 0.0, 0.0);
+    progress.advance(0.9);
+    progress.begin("cycle 0 dem", 0.0, 1.0);
+    progress.advance(0.5);
+  }
+  EXPECT_THAT(
+      testing::internal::GetCapturedStderr(),
+      AllOf(StartsWith("  cycle 0 mix: 90 %\n  cycle 0 dem: 50 %  about "), EndsWith(" left\n")));
 }
 
 TEST(Progress, TellsDetailsOnlyToThoseWhoAsked) {

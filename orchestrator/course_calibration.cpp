@@ -10,6 +10,7 @@
 #include "orchestrator/course_replicates.h"
 #include "orchestrator/course_verdict.h"
 #include "wear/course.h"
+#include "wear/evolution.h"
 
 namespace millwear::orchestrator {
 namespace {
@@ -81,6 +82,12 @@ void check_fit(const wear::FactorFit& fit, const CourseQuantities& courses, doub
         until, 1e3 * courses.gauge.values.tail<1>()[0]));
 }
 
+/// The limit, or the last height where the campaign ended as near above it as campaigns do.
+double limit_met(const wear::Course& heights, double limit) {
+  const double last = heights.values.tail<1>()[0];
+  return last <= limit + wear::limit_within ? std::max(limit, last) : limit;
+}
+
 CourseUse use_of(double hours, double until) {
   if (hours <= 0.0) return CourseUse::fresh;
   return hours <= until ? CourseUse::calibrated : CourseUse::held_out;
@@ -140,7 +147,8 @@ CalibratedCourse calibrated_course(const Case& mill, const CampaignCourse& campa
     course.curve.push_back({hours, {wear::value_at(courses.gauge, own_hours), band}});
   }
   course.height_limit = mill.campaign.height_limit;
-  course.life.value = wear::time_of(courses.height, course.height_limit) / fit.factor;
+  course.life.value =
+      wear::time_of(courses.height, limit_met(courses.height, course.height_limit)) / fit.factor;
   if (std::isfinite(course.life.value))
     course.life.band = life_band(replicates, course.height_limit);
   course.line_life = how.gauge_on == GaugeOn::new_plate

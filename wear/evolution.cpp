@@ -11,7 +11,6 @@
 namespace millwear::wear {
 namespace {
 
-constexpr double limit_within = 1e-6;
 constexpr int most_trials = 60;
 constexpr int most_halvings = 8;
 

@@ -30,6 +30,9 @@ struct Evolution {
   EvolutionEnd end;
 };
 
+/// How near to its limit a campaign ends [m].
+inline constexpr double limit_within = 1e-6;
+
 /// Wears the liner of the newest load until the load has to be measured anew, a limit is met, or
 /// `longest` [s] is over.
 ///
@@ -43,7 +46,7 @@ struct Evolution {
 /// `loads` are all that were measured on this liner since it was new or the mill's rotation was
 /// reversed, at least one; the last three count. On a moved profile a place wears at the rate of
 /// the nearest place of the liner that the newest load was measured on (`LoadCarrier`).
-/// The last step is shortened so that `height_limit` or `plate_limit` is met within 1e-6 m
+/// The last step is shortened so that `height_limit` or `plate_limit` is met within `limit_within`
 /// (where a piece falls off and the height jumps over the limit: just below it). A step that is
 /// more than the load can take is halved until it is not; where the places are gone that the load
 /// wore, it is spent.

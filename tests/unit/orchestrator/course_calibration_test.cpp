@@ -92,6 +92,17 @@ TEST(CalibratedCourse, FindsTheFactorOfAKnownLawAndPredictsWithIt) {
   EXPECT_NEAR(course.life.value, (900.0 + 1400.0 / 29.0) / 0.4, 1e-6);
 }
 
+// Campaigns end within a micrometre of their limit.
+TEST(CalibratedCourse, HasALifeWhereTheCampaignEndsJustAboveItsLimit) {
+  CampaignCourse course = campaign();
+  course.history.back().lifter_height = mill().campaign.height_limit + 0.9e-6;
+  EXPECT_NEAR(calibrated_course(mill(), course, {height(200.0, 0.191)}, {200.0}).life.value, 1000.0,
+              1e-6);
+  course.history.back().lifter_height = mill().campaign.height_limit + 1.1e-6;
+  EXPECT_TRUE(std::isnan(
+      calibrated_course(mill(), course, {height(200.0, 0.191)}, {200.0}).life.value));
+}
+
 // Prediction 140 and 44 mm against read 142 and 40 mm: rms sqrt((4 + 16) / 2) = 3.16 mm. The line
 // through 191 mm at 200 h falls 0.12 mm/h, to 155 and 107 mm: rms sqrt((169 + 4489) / 2) = 48.26
 // mm.
@@ -258,6 +269,25 @@ TEST(SeedMill, ItsStraightLineIsOffByFiveMillimetres) {
   // A campaign that wears evenly is that line.
   EXPECT_NEAR(found.rms, found.line_rms, 1e-9);
   EXPECT_THAT(found.verdict, HasSubstr("Neither is better."));
+}
+
+// The run that is kept: its history and replicates are real, and so is what comes of them.
+TEST(SeedMill, TheKeptCampaignPredictsBetterThanTheStraightLine) {
+  const auto folder = cases / "seed_mill_8m_desktop";
+  const Case seed = read_case(folder / "case.toml");
+  const auto found =
+      calibrated_course(seed,
+                        {read_history_csv(folder / "reference" / "history.csv"),
+                         read_replicates_csv(folder / "reference" / "replicates.csv")},
+                        needed_readings_in(folder / "gauge", seed), {*seed.gauge.calibrate_until});
+  EXPECT_NEAR(found.factor.value, 1.604, 5e-4);
+  EXPECT_EQ(found.held_out, 3);
+  EXPECT_NEAR(found.rms, 2.76e-3, 0.01e-3);
+  for (const auto& reading : found.readings) {
+    EXPECT_LE(reading.predicted.band.low, *reading.height);
+    EXPECT_GE(reading.predicted.band.high, *reading.height);
+  }
+  EXPECT_TRUE(std::isfinite(found.life.value));
 }
 
 }  // namespace

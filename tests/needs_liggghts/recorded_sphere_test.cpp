@@ -181,7 +181,7 @@ TEST_F(RecordedSphere, SpinningInPlaceSlipsBySpinTimesRadius) {
 TEST_F(RecordedSphere, ChangesRanksWithinOneCollision) {
   const Case mill = square_mill();
   const StretchSteps steps{2e-5, 0, 12000, 1};
-  const Launch launch = resting(mill, {-0.02, 0.02, 0.0}, {-0.5, 0.4, 0.0});
+  const Launch launch = resting(mill, {0.05, 0.02, 0.0}, {-0.5, 0.4, 0.0});
   const Recording one = record_sphere(mill, steps, launch, drag_without_rolling, 1);
   const Recording four = record_sphere(mill, steps, launch, drag_without_rolling, 4);
   ASSERT_EQ(one.collisions.size(), 1u);

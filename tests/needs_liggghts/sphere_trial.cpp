@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <regex>
 #include <stdexcept>
 
 #include "liggghts_inputs/charge_packing.h"
@@ -89,6 +90,11 @@ Launch resting(const Case& mill, const Eigen::Vector3d& place, const Eigen::Vect
 
 namespace {
 
+/// The data file with a box that is as wide on either side of the axis, and so is cut at x = 0.
+std::string in_even_box(const std::string& data) {
+  return std::regex_replace(data, std::regex("\\S+ (\\S+) xlo"), "-$1 $1 xlo");
+}
+
 liggghts::StretchExpectation write_sphere_deck(const Case& mill,
                                                const liggghts::StretchSteps& steps,
                                                const Launch& launch, const std::string& lines,
@@ -98,9 +104,10 @@ liggghts::StretchExpectation write_sphere_deck(const Case& mill,
   const std::string contact_model = fmt::format("include       {}\n", names::contact_model);
   const auto& v = launch.velocity;
   const auto& w = launch.spin;
-  write_text(folder / names::charge, liggghts::charge_data_file(mill, {{launch.centre, 0}}) +
-                                         fmt::format("\nVelocities\n\n1 {} {} {} {} {} {}\n", v.x(),
-                                                     v.y(), v.z(), w.x(), w.y(), w.z()));
+  write_text(folder / names::charge,
+             in_even_box(liggghts::charge_data_file(mill, {{launch.centre, 0}})) +
+                 fmt::format("\nVelocities\n\n1 {} {} {} {} {} {}\n", v.x(), v.y(), v.z(), w.x(),
+                             w.y(), w.z()));
   write_text(folder / names::contact_model,
              liggghts::contact_model_deck(mill, steps, {"liner.stl", mesh.triangles.size()},
                                           liggghts::StretchKind::measure, 0));

@@ -99,8 +99,8 @@ TEST(CalibratedCourse, HasALifeWhereTheCampaignEndsJustAboveItsLimit) {
   EXPECT_NEAR(calibrated_course(mill(), course, {height(200.0, 0.191)}, {200.0}).life.value, 1000.0,
               1e-6);
   course.history.back().lifter_height = mill().campaign.height_limit + 1.1e-6;
-  EXPECT_TRUE(std::isnan(
-      calibrated_course(mill(), course, {height(200.0, 0.191)}, {200.0}).life.value));
+  EXPECT_TRUE(
+      std::isnan(calibrated_course(mill(), course, {height(200.0, 0.191)}, {200.0}).life.value));
 }
 
 // Prediction 140 and 44 mm against read 142 and 40 mm: rms sqrt((4 + 16) / 2) = 3.16 mm. The line

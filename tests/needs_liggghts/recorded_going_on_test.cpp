@@ -121,10 +121,10 @@ TEST_F(GoingOn, IsTheSameAsALongDeck) {
 
 // It ends with the first piece after which the target is reached, and says how well it knows.
 TEST_F(GoingOn, EndsWhereTheTargetIsReached) {
-  const auto longest = at_once({.stage = "longest", .most_blocks = 18}, 300).record.load;
+  const auto longest = at_once({.stage = "longest", .most_blocks = 26}, 300).record.load;
   long expected = blocks;
   double target = 1.0;
-  for (long count = blocks; count <= 18; count += piece_blocks) {
+  for (long count = blocks; count <= 26; count += piece_blocks) {
     const double error = error_of(mill_, first_blocks(longest, count));
     RecordProperty(fmt::format("error_after_{}_blocks", count), fmt::format("{:.4f}", error));
     if (error >= target) continue;
@@ -134,7 +134,7 @@ TEST_F(GoingOn, EndsWhereTheTargetIsReached) {
   ASSERT_GT(expected, blocks) << "the first blocks are the best; take others";
 
   const auto reached =
-      until_known({.stage = "reached", .target = 1.000001 * target, .most_blocks = 24}, 300);
+      until_known({.stage = "reached", .target = 1.000001 * target, .most_blocks = 32}, 300);
   EXPECT_EQ(reached.record.load.block_count, static_cast<std::size_t>(expected));
   EXPECT_TRUE(reached.record.load.values == first_blocks(longest, expected).values);
   ASSERT_TRUE(reached.record.goal);

@@ -1,12 +1,12 @@
 #!/bin/sh
 # What a time step costs against the number of particles: the 8 m SAG mill with its sizes cut at 90
-# to 22 mm, 40 % filled, and once a sixth filled. Every charge falls and is carried for 0.35 s, then
+# to 22 mm, 40 % filled, and once a sixth filled. Every charge falls and is carried for 0.2 s, then
 # some steps are timed, in turns. Prints the table and draws docs/cost_by_particles.png.
 #   scripts/bench/particles.sh [rounds] [ranks]      idle machine, a core a rank
 set -eu
 cd "$(dirname "$0")/../.."
 rounds=${1:-3} ranks=${2:-2}
-fall_s=0.35
+fall_s=0.2
 . scripts/bench/dem_timing.sh
 
 # charge NAME CUT FILLING BALLS

@@ -7,7 +7,7 @@ run=$1 kept=$2/reference
 rm -rf "$kept"
 mkdir -p "$kept"
 cp "$run/case.lock.toml" "$run/ledger.jsonl" "$run/results/history.csv" "$run/results/replicates.csv" \
-  "$run/results/summary.json" "$kept"
+  "$run/results/summary.json" "$run/results/history.png" "$run/results/profiles.png" "$kept"
 # Of the profiles the new one and the last of each cycle.
 awk -F, 'FNR == NR { if (/^[0-9]/) last[$1] = $2; next }
   !/^[0-9]/ || ($1 == 0 && $2 == 0) || $2 == last[$1]' "$run/results/profiles.csv" "$run/results/profiles.csv" >"$kept/profiles.csv"

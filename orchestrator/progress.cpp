@@ -53,10 +53,7 @@ void Progress::begin(const std::string& what, double share_before, double share_
   share_before_ = share_before;
   share_after_ = share_after;
   done_ = 0.0;
-  if (first_share_ < 0.0 && share_after > share_before) {
-    first_share_ = share_before;
-    started_ = Clock::now();
-  }
+  if (!start_ && share_after > share_before) start_ = {Clock::now(), share_before};
   drawn_ = Clock::now();
   if (terminal_) draw();
 }
@@ -72,10 +69,11 @@ void Progress::advance(double done) {
 void Progress::end() { clear_bar(); }
 
 std::string Progress::time_left() const {
+  if (!start_) return "";
   const double share = share_before_ + done_ * (share_after_ - share_before_);
-  const double gained = share - first_share_;
-  if (first_share_ < 0.0 || gained < 0.01) return "";
-  const double elapsed = std::chrono::duration<double>(Clock::now() - started_).count();
+  const double gained = share - start_->share;
+  if (gained < 0.01) return "";
+  const double elapsed = std::chrono::duration<double>(Clock::now() - start_->time).count();
   return fmt::format("  about {} left", spoken_time(elapsed * (1.0 - share) / gained));
 }
 

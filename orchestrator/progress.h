@@ -1,5 +1,6 @@
 #pragma once
 #include <chrono>
+#include <optional>
 #include <string>
 
 namespace millwear::orchestrator {
@@ -35,6 +36,12 @@ class Progress {
  private:
   using Clock = std::chrono::steady_clock;
 
+  /// The first piece that takes the campaign on.
+  struct Start {
+    Clock::time_point time;
+    double share;
+  };
+
   void draw();
   void clear_bar();
   [[nodiscard]] std::string time_left() const;
@@ -48,8 +55,7 @@ class Progress {
   double share_before_ = 0.0;
   double share_after_ = 0.0;
   double done_ = 0.0;
-  Clock::time_point started_{};  ///< on the first piece that takes the campaign on
-  double first_share_ = -1.0;    ///< then; below 0 before
+  std::optional<Start> start_;
   Clock::time_point drawn_{};
 };
 

@@ -15,7 +15,7 @@ namespace {
 LinerProfile seed_lifter() { return profile_of({4.0, 3.9005, 52}, {0.215, 0.10, 0.2, 0.1}); }
 
 void accumulate_contacts(benchmark::State& state) {
-  const LinerProfile profile = profile_of({4.0, 3.9005, 52}, {0.215, 0.10, 0.2, 0.1});
+  const LinerProfile profile = seed_lifter();
   const double tolerance = 2e-3;
   const std::size_t contacts = 40000;
   LoadAccumulator accumulator(profile, {.bins = 200,

@@ -283,6 +283,7 @@ TEST(SeedMill, TheKeptCampaignPredictsBetterThanTheStraightLine) {
   EXPECT_NEAR(found.factor.value, 1.604, 5e-4);
   EXPECT_EQ(found.held_out, 3);
   EXPECT_NEAR(found.rms, 2.76e-3, 0.01e-3);
+  EXPECT_LT(found.rms, found.line_rms);
   for (const auto& reading : found.readings) {
     EXPECT_LE(reading.predicted.band.low, *reading.height);
     EXPECT_GE(reading.predicted.band.high, *reading.height);

@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <thread>
 
 namespace millwear::orchestrator {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::AnyOf;
 using ::testing::EndsWith;
 using ::testing::StartsWith;
 
@@ -38,19 +40,21 @@ TEST(Progress, PrintsNothingWhenQuiet) {
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
-// Mixing takes the liner nowhere, so the time it takes says nothing of the time that is left.
+// Mixing takes the liner nowhere, so the time it takes (nearly 2 s here) says nothing of the time
+// that is left, and is not in it.
 TEST(Progress, TellsTheTimeLeftOfPiecesThatGainSomething) {
   testing::internal::CaptureStderr();
   {
     Progress progress(Verbosity::normal, std::chrono::seconds(0));
     progress.begin("cycle 0 mix", 0.0, 0.0);
     progress.advance(0.9);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1700));
     progress.begin("cycle 0 dem", 0.0, 1.0);
     progress.advance(0.5);
   }
-  EXPECT_THAT(
-      testing::internal::GetCapturedStderr(),
-      AllOf(StartsWith("  cycle 0 mix: 90 %\n  cycle 0 dem: 50 %  about "), EndsWith(" left\n")));
+  EXPECT_THAT(testing::internal::GetCapturedStderr(),
+              AllOf(StartsWith("  cycle 0 mix: 90 %\n  cycle 0 dem: 50 %  about "),
+                    AnyOf(EndsWith(" 0 s left\n"), EndsWith(" 1 s left\n"))));
 }
 
 TEST(Progress, TellsDetailsOnlyToThoseWhoAsked) {

@@ -75,10 +75,9 @@ std::string drift(const Case& mill) {
       plan.piece);
 }
 
-/// Half of an even number of ranks on either side of the charge's middle, where the box of
-/// `charge_data_file` is cut; along the axis the charge is even, but slabs thinner than the largest
-/// particle have mostly ghosts in them.
-std::string rank_grid(int ranks) { return ranks % 2 == 0 ? "2 * 1" : "1 * 1"; }
+std::string rank_grid(const Case& mill, int ranks) {
+  return rank_split(mill, ranks) == RankSplit::charge ? "2 * 1" : "1 * 1";
+}
 
 std::string measure_runs(const StretchSteps& steps) {
   if (steps.pair_steps == 0) return fmt::format("run           {}", steps.measure_steps);
@@ -95,6 +94,13 @@ std::string measure_runs(const StretchSteps& steps) {
 double neighbour_skin(const Case& mill) {
   if (mill.dem.skin) return *mill.dem.skin;
   return 0.5 * smallest_diameter(mill);
+}
+
+// Along the axis the charge is even, but slabs thinner than the largest particle have mostly ghosts
+// in them: cut through the charge they are better shared in most mills.
+RankSplit rank_split(const Case& mill, int ranks) {
+  if (ranks % 2 == 1) return RankSplit::axis;
+  return mill.dem.rank_split.value_or(RankSplit::charge);
 }
 
 std::string contact_model_deck(const Case& mill, const StretchSteps& steps,
@@ -131,7 +137,7 @@ std::string mixing_deck(const Case& mill, const StretchSteps& steps, int ranks) 
   return filled_template(
       mix_template,
       {{"case_name", mill.name},
-       {"rank_grid", rank_grid(ranks)},
+       {"rank_grid", rank_grid(mill, ranks)},
        {"charge_file", file_names::charge},
        {"skin_m", number(neighbour_skin(mill))},
        {"contact_model_file", file_names::contact_model},
@@ -147,7 +153,7 @@ std::string measuring_deck(const Case& mill, const StretchSteps& steps, const Li
   return filled_template(
       measure_template,
       {{"case_name", mill.name},
-       {"rank_grid", rank_grid(ranks)},
+       {"rank_grid", rank_grid(mill, ranks)},
        {"previous_restart_file", previous_restart},
        {"skin_m", number(neighbour_skin(mill))},
        {"contact_model_file", file_names::contact_model},
@@ -165,7 +171,7 @@ std::string measuring_deck(const Case& mill, const StretchSteps& steps, const Li
 std::string trial_deck(const Case& mill, const TrialSteps& steps,
                        const std::string& previous_restart, int ranks) {
   return filled_template(trial_template, {{"case_name", mill.name},
-                                          {"rank_grid", rank_grid(ranks)},
+                                          {"rank_grid", rank_grid(mill, ranks)},
                                           {"previous_restart_file", previous_restart},
                                           {"skin_m", number(neighbour_skin(mill))},
                                           {"contact_model_file", file_names::contact_model},

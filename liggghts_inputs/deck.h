@@ -28,6 +28,10 @@ inline constexpr const char* torque = "torque.txt";
 /// radius (docs/guide.md).
 [[nodiscard]] double neighbour_skin(const Case& mill);
 
+/// How `ranks` MPI ranks share the mill in the deck: an even number as the case says, by default
+/// `charge`, where the box of `charge_data_file` is cut; an odd number along the axis.
+[[nodiscard]] RankSplit rank_split(const Case& mill, int ranks);
+
 /// Which mesh stands in the mill: every cycle's mesh has an ID of its own (see
 /// templates/contact_model.in), and those of a mixing stretch and a trial differ from the
 /// measuring one's.
@@ -56,8 +60,8 @@ struct TrialSteps {
   [[nodiscard]] long total() const { return warm_up + timed; }
 };
 
-/// The deck of a trial of speed, with the case's `neighbour_skin`, from the charge that
-/// `previous_restart` holds. It leaves no restart file.
+/// The deck of a trial of speed, with the case's `neighbour_skin` and `rank_split`, from the charge
+/// that `previous_restart` holds. It leaves no restart file.
 [[nodiscard]] std::string trial_deck(const Case& mill, const TrialSteps& steps,
                                      const std::string& previous_restart, int ranks);
 

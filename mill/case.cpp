@@ -92,6 +92,8 @@ std::string_view name_of(ContactPath path) {
   return path == ContactPath::recorder ? "recorder" : "dumps";
 }
 
+std::string_view name_of(RankSplit split) { return split == RankSplit::charge ? "charge" : "axis"; }
+
 std::string_view name_of(SmoothingMethod method) {
   return method == SmoothingMethod::paper ? "paper" : "penalised";
 }

@@ -54,8 +54,15 @@ enum class ContactPath {
   dumps,     ///< sampled, through text dumps of the plain liggghts
 };
 
-/// As the case file writes it.
+/// How MPI ranks share the mill.
+enum class RankSplit {
+  charge,  ///< half of them on either side of the moving charge's middle, each half along the axis
+  axis,    ///< slabs along the axis
+};
+
+/// As the case file writes them.
 [[nodiscard]] std::string_view name_of(ContactPath path);
+[[nodiscard]] std::string_view name_of(RankSplit split);
 
 /// How well a measurement is to know the smoothed rate of loss at its peaks before it ends.
 struct ErrorTarget {
@@ -75,15 +82,16 @@ struct DemSettings {
   int sample_every_steps;      ///< steps between two samples of the wall contacts
   int ranks;                   ///< MPI ranks; 0 takes every core
   std::optional<double> skin;  ///< neighbour skin [m]; by default the least particle radius
-  double mesh_tolerance;       ///< mesh against profile, share of the least particle radius
-  std::uint64_t seed;          ///< of the first packing
-  bool keep_dumps;             ///< keep the contact dumps as files
-  bool keep_events;            ///< keep a row a collision with the liner (recorder only)
+  std::optional<RankSplit> rank_split{};  ///< by default `charge`
+  double mesh_tolerance;    ///< mesh against profile, share of the least particle radius
+  std::uint64_t seed;       ///< of the first packing
+  bool keep_dumps;          ///< keep the contact dumps as files
+  bool keep_events;         ///< keep a row a collision with the liner (recorder only)
   double pair_revolutions;  ///< at the end of a measurement in which collisions between particles
                             ///< are recorded (recorder only)
   std::optional<double> time_step{};  ///< wanted [s], in place of the share of the Rayleigh time
   std::optional<ErrorTarget> error_target{};  ///< recorder only
-  bool tune = false;  ///< a campaign chooses its skin by a trial; then `skin` is not given
+  bool tune = false;  ///< a campaign chooses `skin` and `rank_split` by a trial; they are not given
   bool mix_until_steady = false;  ///< mixing ends once it is steady (mill/steady_mixing.h; recorder
                                   ///< only), with `mix_revolutions` the most
 };

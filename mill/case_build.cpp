@@ -96,6 +96,12 @@ std::optional<ErrorTarget> build_error_target(const CaseTable& dem) {
                                  .value_or(most_in_least * real_value(dem, "measure_revolutions"))};
 }
 
+std::optional<RankSplit> build_rank_split(const CaseTable& dem) {
+  const auto split = optional_text(dem, "rank_split");
+  if (!split) return std::nullopt;
+  return *split == name_of(RankSplit::axis) ? RankSplit::axis : RankSplit::charge;
+}
+
 DemSettings build_dem(const CaseDocument& document) {
   const CaseTable defaults{"dem", 1, false, {}};
   const CaseTable* const written = document.find("dem");
@@ -119,6 +125,7 @@ DemSettings build_dem(const CaseDocument& document) {
                   .value_or(path == ContactPath::recorder ? every_step : between_dumps)),
           .ranks = integer_value(dem, "ranks"),
           .skin = optional_real(dem, "skin_m"),
+          .rank_split = build_rank_split(dem),
           .mesh_tolerance = real_value(dem, "mesh_tolerance"),
           .seed = static_cast<std::uint64_t>(integer_value(dem, "seed")),
           .keep_dumps = boolean_value(dem, "keep_dumps"),

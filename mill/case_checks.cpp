@@ -175,11 +175,17 @@ void check_error_target(const Case& mill, const CaseDocument& document, CaseProb
 }
 
 void check_tuning(const Case& mill, const CaseDocument& document, CaseProblems& problems) {
-  if (mill.dem.tune && mill.dem.skin)
+  if (!mill.dem.tune) return;
+  if (mill.dem.skin)
     problems.add(document.line_of("dem", "skin_m"),
                  fmt::format("`skin_m` = {:g} stands beside `tune = true`, which chooses the skin "
                              "by a trial; give one of the two",
                              *mill.dem.skin));
+  if (mill.dem.rank_split)
+    problems.add(document.line_of("dem", "rank_split"),
+                 fmt::format("`rank_split = \"{}\"` stands beside `tune = true`, which chooses the "
+                             "split by a trial; give one of the two",
+                             name_of(*mill.dem.rank_split)));
 }
 
 void check_mixing(const Case& mill, const CaseDocument& document, CaseProblems& problems) {

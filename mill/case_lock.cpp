@@ -111,6 +111,7 @@ void write_dem(const DemSettings& dem, LockWriter& lock) {
   lock.key("sample_every_steps", dem.sample_every_steps);
   lock.key("ranks", dem.ranks);
   lock.key_if("skin_m", dem.skin);
+  if (dem.rank_split) lock.text("rank_split", name_of(*dem.rank_split));
   if (dem.tune) lock.key("tune", true);
   lock.key("mesh_tolerance", dem.mesh_tolerance);
   lock.key("seed", dem.seed);

@@ -5,8 +5,8 @@
 namespace millwear::orchestrator {
 namespace {
 
-std::vector<StageKind> stages_of(int cycle, SkinChoice skin, const Ledger& ledger) {
-  if (cycle == 0 && skin == SkinChoice::by_trial)
+std::vector<StageKind> stages_of(int cycle, SpeedTrial trial, const Ledger& ledger) {
+  if (cycle == 0 && trial == SpeedTrial::after_first_mix)
     return {StageKind::mesh, StageKind::mix, StageKind::tune, StageKind::dem, StageKind::wear};
   const LedgerEntry* const before = ledger.find({cycle - 1, StageKind::wear});
   if (cycle == 0 || (before != nullptr && before->outcome == Outcome::reversed))
@@ -27,7 +27,8 @@ std::string reason_for(const StageId& stage, const Ledger& ledger) {
 }  // namespace
 
 CampaignPlan plan_of(const Case& mill) {
-  return {mill.campaign.cycle_limit, mill.dem.tune ? SkinChoice::by_trial : SkinChoice::by_case};
+  return {mill.campaign.cycle_limit,
+          mill.dem.tune ? SpeedTrial::after_first_mix : SpeedTrial::none};
 }
 
 Outcome outcome_of(const Ledger& ledger) {
@@ -38,7 +39,7 @@ Outcome outcome_of(const Ledger& ledger) {
 std::optional<NextStage> next_stage(const Ledger& ledger, const CampaignPlan& plan) {
   if (outcome_of(ledger) != Outcome::go_on) return std::nullopt;
   for (int cycle = 0; cycle < plan.cycle_limit; ++cycle)
-    for (const StageKind kind : stages_of(cycle, plan.skin, ledger)) {
+    for (const StageKind kind : stages_of(cycle, plan.trial, ledger)) {
       const StageId stage{cycle, kind};
       if (ledger.find(stage) == nullptr) return NextStage{stage, reason_for(stage, ledger)};
     }

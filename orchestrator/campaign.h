@@ -15,13 +15,13 @@ struct NextStage {
   std::string why;
 };
 
-/// Whether a campaign chooses its neighbour skin by a trial.
-enum class SkinChoice { by_case, by_trial };
+/// Whether a campaign chooses its neighbour skin and how the ranks share the mill by a trial.
+enum class SpeedTrial { none, after_first_mix };
 
 /// What the case says of the order of stages.
 struct CampaignPlan {
   int cycle_limit;
-  SkinChoice skin = SkinChoice::by_case;
+  SpeedTrial trial = SpeedTrial::none;
 };
 
 [[nodiscard]] CampaignPlan plan_of(const Case& mill);
@@ -29,7 +29,7 @@ struct CampaignPlan {
 /// The first stage of the campaign that the ledger does not have; std::nullopt once a cycle has
 /// reached a limit or `cycle_limit` cycles are done. Each cycle goes mesh, dem, wear, with mix
 /// before the first dem and before the first after a reversal: the mirrored steel may stand where
-/// the last charge lies. A trial of skins comes once, after the first mix.
+/// the last charge lies. A trial of speed comes once, after the first mix.
 [[nodiscard]] std::optional<NextStage> next_stage(const Ledger& ledger, const CampaignPlan& plan);
 
 /// How the campaign stands: the limit it ended at, or go_on.

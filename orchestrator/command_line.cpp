@@ -62,7 +62,8 @@ constexpr std::array<VerbText, 11> verbs = {{
      "  millwear calibrate cases/pilot_mill/case.toml   # reads cases/pilot_mill/gauge\n"
      "  millwear calibrate two_laws.toml --out runs/pilot_mill --readings measured --until 4000"},
     {Verb::tune, "tune",
-     "Find the neighbour skin that LIGGGHTS is fastest with, by a short trial on the real charge",
+     "Find the neighbour skin and the split among ranks that LIGGGHTS is fastest with, by a short "
+     "trial on the real charge",
      "  millwear tune my_mill.toml                  # takes the mixed charge in runs/NAME, if any\n"
      "  millwear tune my_mill.toml --out runs/try --ranks 2 --json"},
 }};

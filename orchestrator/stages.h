@@ -59,8 +59,8 @@ void tune_stage(const Campaign& campaign, const std::filesystem::path& into, Pro
 [[nodiscard]] Outcome wear_stage(const Campaign& campaign, int cycle,
                                  const std::filesystem::path& into);
 
-/// The case that a stretch's decks are written for: with the skin that the campaign's tune stage
-/// chose, where it has one and the stretch is after it. Throws what `read_tuning` throws.
+/// The case that a stretch's decks are written for: with the settings that the campaign's tune
+/// stage chose, where it has one and the stretch is after it. Throws what `read_tuning` throws.
 [[nodiscard]] Case case_of_stretch(const Campaign& campaign, const StageId& stage);
 
 /// The decks of a stretch and, for a mixing one, its charge, written into `into`.

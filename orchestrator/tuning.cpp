@@ -25,6 +25,12 @@ double to_three_digits(double value) { return std::stod(fmt::format("{:.3g}", va
 
 }  // namespace
 
+std::vector<RankSplit> splits_on_trial(const Case& mill, int ranks) {
+  if (ranks % 2 == 1) return {};
+  const RankSplit own = liggghts::rank_split(mill, ranks);
+  return {own, own == RankSplit::charge ? RankSplit::axis : RankSplit::charge};
+}
+
 std::vector<double> skins_on_trial(const Case& mill) {
   const double own = liggghts::neighbour_skin(mill);
   const double radius = 0.5 * smallest_diameter(mill);
@@ -48,7 +54,7 @@ liggghts::TrialSteps trial_steps(const Case& mill, const std::vector<double>& sk
   return {.warm_up = timed / 4, .timed = timed};
 }
 
-double median_seconds(const SkinTrial& trial) {
+double median_seconds(const DeckTrial& trial) {
   std::vector<double> seconds = trial.loop_seconds;
   if (seconds.empty()) return std::nan("");
   std::ranges::sort(seconds);
@@ -56,7 +62,7 @@ double median_seconds(const SkinTrial& trial) {
   return seconds.size() % 2 == 1 ? seconds[middle] : 0.5 * (seconds[middle - 1] + seconds[middle]);
 }
 
-void add_piece(SkinTrial& trial, double loop_seconds, long neighbour_builds,
+void add_piece(DeckTrial& trial, double loop_seconds, long neighbour_builds,
                long dangerous_builds) {
   trial.loop_seconds.push_back(loop_seconds);
   trial.neighbour_builds = neighbour_builds;
@@ -65,31 +71,34 @@ void add_piece(SkinTrial& trial, double loop_seconds, long neighbour_builds,
     trial.refused = "a particle or the liner crosses half of it in one step";
 }
 
-double chosen_skin(const std::vector<SkinTrial>& trials) {
+std::optional<DeckSettings> fastest_settings(const std::vector<DeckTrial>& trials) {
   double best = INFINITY;
   for (const auto& trial : trials)
     if (trial.refused.empty()) best = std::min(best, median_seconds(trial));
-  double skin = INFINITY;
   for (const auto& trial : trials)
     if (trial.refused.empty() && median_seconds(trial) <= (1.0 + tie_share) * best)
-      skin = std::min(skin, trial.skin);
-  if (std::isfinite(skin)) return skin;
-  throw ResultRejected(fmt::format(
-      "no skin can be taken, each was refused{}; give `skin_m` in [dem]",
-      trials.empty()
-          ? ""
-          : fmt::format(" (the widest, {:g} m: {})", trials.back().skin, trials.back().refused)));
+      return trial.settings;
+  return std::nullopt;
 }
 
-const SkinTrial& chosen_trial(const Tuning& tuning) {
-  return *std::ranges::find(tuning.trials, tuning.skin, &SkinTrial::skin);
+DeckSettings chosen_settings(const std::vector<DeckTrial>& skin_trials) {
+  if (const auto fastest = fastest_settings(skin_trials)) return *fastest;
+  const DeckTrial& widest = skin_trials.back();
+  throw ResultRejected(
+      fmt::format("no skin can be taken, each was refused (the widest, {:g} m: {}); give `skin_m` "
+                  "in [dem]",
+                  widest.settings.skin, widest.refused));
 }
 
-double steps_per_second(const Tuning& tuning, const SkinTrial& trial) {
+const DeckTrial& chosen_trial(const Tuning& tuning) {
+  return *std::ranges::find(tuning.skin_trials, tuning.chosen, &DeckTrial::settings);
+}
+
+double steps_per_second(const Tuning& tuning, const DeckTrial& trial) {
   return static_cast<double>(tuning.piece_steps) / median_seconds(trial);
 }
 
-double simulated_seconds_per_hour(const Tuning& tuning, const SkinTrial& trial) {
+double simulated_seconds_per_hour(const Tuning& tuning, const DeckTrial& trial) {
   return seconds_per_hour * tuning.time_step * steps_per_second(tuning, trial);
 }
 

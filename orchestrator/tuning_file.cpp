@@ -9,12 +9,13 @@
 namespace millwear::orchestrator {
 namespace {
 
-constexpr int tuning_version = 1;
+constexpr int tuning_version = 2;
 using nlohmann::json;
 
-json json_of(const Tuning& tuning, const SkinTrial& trial) {
+json json_of(const Tuning& tuning, const DeckTrial& trial) {
   const bool is_timed = !trial.loop_seconds.empty();
-  return {{"skin_m", trial.skin},
+  return {{"rank_split", name_of(trial.settings.rank_split)},
+          {"skin_m", trial.settings.skin},
           {"loop_seconds", trial.loop_seconds},
           {"steps_per_second", is_timed ? json(steps_per_second(tuning, trial)) : json(nullptr)},
           {"neighbour_builds", trial.neighbour_builds},
@@ -22,30 +23,46 @@ json json_of(const Tuning& tuning, const SkinTrial& trial) {
           {"refused", trial.refused.empty() ? json(nullptr) : json(trial.refused)}};
 }
 
-SkinTrial trial_from(const json& trial) {
+json json_of(const Tuning& tuning, const std::vector<DeckTrial>& trials) {
+  json list = json::array();
+  for (const auto& trial : trials) list.push_back(json_of(tuning, trial));
+  return list;
+}
+
+DeckSettings settings_from(const json& object) {
+  const auto split = object.at("rank_split").get<std::string>();
+  for (const RankSplit known : {RankSplit::charge, RankSplit::axis})
+    if (split == name_of(known)) return {known, object.at("skin_m").get<double>()};
+  throw ResultRejected(fmt::format("it has an unknown rank_split `{}`", split));
+}
+
+DeckTrial trial_from(const json& trial) {
   const auto& refused = trial.at("refused");
-  return {trial.at("skin_m").get<double>(), trial.at("loop_seconds").get<std::vector<double>>(),
+  return {settings_from(trial), trial.at("loop_seconds").get<std::vector<double>>(),
           trial.at("neighbour_builds").get<long>(), trial.at("dangerous_builds").get<long>(),
           refused.is_null() ? "" : refused.get<std::string>()};
 }
 
-std::string table_row(const Tuning& tuning, const SkinTrial& trial) {
-  const double millimetres = 1e3 * trial.skin;
-  if (!trial.refused.empty())
-    return fmt::format("{:9.3f}  refused: {}\n", millimetres, trial.refused);
+std::vector<DeckTrial> trials_from(const json& list) {
+  std::vector<DeckTrial> trials;
+  for (const auto& trial : list) trials.push_back(trial_from(trial));
+  return trials;
+}
+
+std::string table_row(const Tuning& tuning, const DeckTrial& trial) {
+  const auto begin =
+      fmt::format("{:>7}  {:9.3f}", name_of(trial.settings.rank_split), 1e3 * trial.settings.skin);
+  if (!trial.refused.empty()) return fmt::format("{}  refused: {}", begin, trial.refused);
   const auto [least, most] = std::ranges::minmax(trial.loop_seconds);
   const auto steps = static_cast<double>(tuning.piece_steps);
-  return fmt::format("{:9.3f}  {:9.1f}  {:9.1f}  {:9.1f}  {:9.1f}{}\n", millimetres,
+  return fmt::format("{}  {:9.1f}  {:9.1f}  {:9.1f}  {:9.1f}", begin,
                      steps_per_second(tuning, trial), steps / most, steps / least,
-                     steps / static_cast<double>(std::max(1L, trial.neighbour_builds)),
-                     trial.skin == tuning.skin ? "  <" : "");
+                     steps / static_cast<double>(std::max(1L, trial.neighbour_builds)));
 }
 
 }  // namespace
 
 std::string tuning_json(const Tuning& tuning) {
-  json trials = json::array();
-  for (const auto& trial : tuning.trials) trials.push_back(json_of(tuning, trial));
   const auto& chosen = chosen_trial(tuning);
   const json document = {{"type", "millwear tuning"},
                          {"format_version", tuning_version},
@@ -53,11 +70,13 @@ std::string tuning_json(const Tuning& tuning) {
                          {"ranks", tuning.ranks},
                          {"time_step_s", tuning.time_step},
                          {"piece_steps", tuning.piece_steps},
-                         {"trials", trials},
-                         {"skin_m", tuning.skin},
+                         {"split_trials", json_of(tuning, tuning.split_trials)},
+                         {"skin_trials", json_of(tuning, tuning.skin_trials)},
+                         {"rank_split", name_of(tuning.chosen.rank_split)},
+                         {"skin_m", tuning.chosen.skin},
                          {"steps_per_second", steps_per_second(tuning, chosen)},
                          {"simulated_seconds_per_hour", simulated_seconds_per_hour(tuning, chosen)},
-                         {"dem_line", dem_line(tuning)}};
+                         {"dem_lines", dem_lines(tuning)}};
   return document.dump(1) + "\n";
 }
 
@@ -67,11 +86,14 @@ Tuning read_tuning(const std::filesystem::path& file) {
                   document.at("ranks").get<int>(),
                   document.at("time_step_s").get<double>(),
                   document.at("piece_steps").get<long>(),
-                  {},
-                  document.at("skin_m").get<double>()};
-    for (const auto& trial : document.at("trials")) tuning.trials.push_back(trial_from(trial));
-    if (std::ranges::find(tuning.trials, tuning.skin, &SkinTrial::skin) == tuning.trials.end())
-      throw ResultRejected(fmt::format("its chosen skin of {} m was not tried", tuning.skin));
+                  trials_from(document.at("split_trials")),
+                  trials_from(document.at("skin_trials")),
+                  settings_from(document)};
+    if (std::ranges::find(tuning.skin_trials, tuning.chosen, &DeckTrial::settings) ==
+        tuning.skin_trials.end())
+      throw ResultRejected(
+          fmt::format("its chosen skin of {} m was not tried with the ranks split by {}",
+                      tuning.chosen.skin, name_of(tuning.chosen.rank_split)));
     return tuning;
   });
 }
@@ -79,23 +101,31 @@ Tuning read_tuning(const std::filesystem::path& file) {
 std::string tuning_text(const Tuning& tuning) {
   std::string text = fmt::format(
       "{} particles, {} rank{}, pieces of {} steps in turns\n"
-      "     skin    steps/s                        steps per\n"
-      "       mm     median      least       most    rebuild\n",
+      "  ranks       skin    steps/s                        steps per\n"
+      "  split         mm     median      least       most    rebuild\n",
       tuning.particles, tuning.ranks, tuning.ranks == 1 ? "" : "s", tuning.piece_steps);
-  for (const auto& trial : tuning.trials) text += table_row(tuning, trial);
+  for (const auto& trial : tuning.split_trials) text += table_row(tuning, trial) + "\n";
+  if (!tuning.split_trials.empty()) text += "\n";
   const auto& chosen = chosen_trial(tuning);
-  return text + fmt::format(
-                    "{:.4g} mm: {} steps a second, {:.4g} s of the mill in an hour. For the "
-                    "case:\n[dem]\n{}\n",
-                    1e3 * tuning.skin, spoken_speed(tuning, chosen),
-                    simulated_seconds_per_hour(tuning, chosen), dem_line(tuning));
+  for (const auto& trial : tuning.skin_trials)
+    text += table_row(tuning, trial) + (&trial == &chosen ? "  <\n" : "\n");
+  return text +
+         fmt::format(
+             "{} steps a second, {:.4g} s of the mill in an hour. For the case:\n[dem]\n{}\n",
+             spoken_speed(tuning, chosen), simulated_seconds_per_hour(tuning, chosen),
+             dem_lines(tuning));
 }
 
-std::string spoken_speed(const Tuning& tuning, const SkinTrial& trial) {
+std::string spoken_speed(const Tuning& tuning, const DeckTrial& trial) {
   const double speed = steps_per_second(tuning, trial);
   return speed < 100.0 ? fmt::format("{:.3g}", speed) : fmt::format("{:.0f}", speed);
 }
 
-std::string dem_line(const Tuning& tuning) { return fmt::format("skin_m = {}", tuning.skin); }
+std::string dem_lines(const Tuning& tuning) {
+  std::string lines = fmt::format("skin_m = {}", tuning.chosen.skin);
+  if (!tuning.split_trials.empty())
+    lines += fmt::format("\nrank_split = \"{}\"", name_of(tuning.chosen.rank_split));
+  return lines;
+}
 
 }  // namespace millwear::orchestrator

@@ -14,6 +14,7 @@ namespace {
 using namespace orchestrator;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 
 Case tuned_mill() {
   Case mill = small_mill(ContactPath::dumps);
@@ -47,6 +48,10 @@ class TunedMill : public ::testing::Test {
     return read_file(campaign.folder.stage({0, kind}) / file);
   }
 
+  [[nodiscard]] Tuning kept_tuning() const {
+    return read_tuning(campaign.folder.stage({0, StageKind::tune}) / stage_files::tuning);
+  }
+
   ScratchFolder scratch;
   Campaign campaign{tuned_mill(), {scratch.stage("run")}, 1};
 };
@@ -56,25 +61,45 @@ class TunedMill : public ::testing::Test {
 TEST_F(TunedMill, MeasuresWithTheSkinItChose) {
   EXPECT_THAT(run_a_cycle(), ElementsAre("cycle 0 mesh", "cycle 0 mix", "cycle 0 tune",
                                          "cycle 0 dem", "cycle 0 wear"));
-  const auto tuning =
-      read_tuning(campaign.folder.stage({0, StageKind::tune}) / stage_files::tuning);
+  const Tuning tuning = kept_tuning();
   EXPECT_EQ(tuning.particles, 120u);
-  ASSERT_EQ(tuning.trials.size(), skins_on_trial(campaign.mill).size());
-  for (std::size_t i = 0; i < tuning.trials.size(); ++i) {
-    const auto& trial = tuning.trials[i];
-    EXPECT_EQ(trial.refused, "") << trial.skin;
+  EXPECT_THAT(tuning.split_trials, IsEmpty());
+  ASSERT_EQ(tuning.skin_trials.size(), skins_on_trial(campaign.mill).size());
+  for (std::size_t i = 0; i < tuning.skin_trials.size(); ++i) {
+    const auto& trial = tuning.skin_trials[i];
+    EXPECT_EQ(trial.refused, "") << trial.settings.skin;
     EXPECT_EQ(trial.loop_seconds.size(), 3u);
     EXPECT_GT(median_seconds(trial), 0.0);
     EXPECT_EQ(trial.dangerous_builds, 0);
     EXPECT_GE(trial.neighbour_builds, 4);
     if (i == 0) continue;
-    EXPECT_LT(trial.neighbour_builds, tuning.trials[i - 1].neighbour_builds) << trial.skin;
+    EXPECT_LT(trial.neighbour_builds, tuning.skin_trials[i - 1].neighbour_builds)
+        << trial.settings.skin;
   }
   EXPECT_THAT(text_in(StageKind::dem, liggghts::file_names::deck),
-              HasSubstr(fmt::format("neighbor      {} bin\n", tuning.skin)));
+              HasSubstr(fmt::format("neighbor      {} bin\n", tuning.chosen.skin)));
   EXPECT_THAT(
       text_in(StageKind::mix, liggghts::file_names::deck),
       HasSubstr(fmt::format("neighbor      {} bin\n", liggghts::neighbour_skin(campaign.mill))));
+}
+
+// Two ranks: both splits from the same restart file, and the load measured with the faster.
+TEST_F(TunedMill, SharesTheMillAmongRanksAsItChose) {
+  campaign.ranks = 2;
+  run_a_cycle();
+  const Tuning tuning = kept_tuning();
+  ASSERT_EQ(tuning.split_trials.size(), 2u);
+  for (const auto& trial : tuning.split_trials) {
+    EXPECT_EQ(trial.refused, "") << name_of(trial.settings.rank_split);
+    EXPECT_EQ(trial.loop_seconds.size(), 3u);
+  }
+  const RankSplit faster = fastest_settings(tuning.split_trials)->rank_split;
+  for (const auto& trial : tuning.skin_trials) EXPECT_EQ(trial.settings.rank_split, faster);
+  const char* const grid = faster == RankSplit::charge ? "2 * 1" : "1 * 1";
+  EXPECT_THAT(text_in(StageKind::dem, liggghts::file_names::deck),
+              HasSubstr(fmt::format("processors    {}\n", grid)));
+  EXPECT_THAT(text_in(StageKind::mix, liggghts::file_names::deck),
+              HasSubstr("processors    2 * 1\n"));
 }
 
 // A step of half a skin and more may pass a contact by: LIGGGHTS counts such builds, and the skin
@@ -85,13 +110,13 @@ TEST_F(TunedMill, TakesNoSkinThatIsCrossedInOneStep) {
   campaign.mill.dem.skin = 1e-6;
   for (const StageKind kind : {StageKind::mesh, StageKind::mix, StageKind::tune})
     static_cast<void>(run_stage(campaign, {0, kind}, progress));
-  const auto tuning =
-      read_tuning(campaign.folder.stage({0, StageKind::tune}) / stage_files::tuning);
-  EXPECT_EQ(tuning.trials.front().skin, 1e-6);
-  EXPECT_GT(tuning.trials.front().dangerous_builds, 0);
-  EXPECT_THAT(tuning.trials.front().refused, HasSubstr("in one step"));
-  EXPECT_EQ(tuning.trials.front().loop_seconds.size(), 1u);
-  EXPECT_GT(tuning.skin, 1e-6);
+  const Tuning tuning = kept_tuning();
+  const DeckTrial& thinnest = tuning.skin_trials.front();
+  EXPECT_EQ(thinnest.settings.skin, 1e-6);
+  EXPECT_GT(thinnest.dangerous_builds, 0);
+  EXPECT_THAT(thinnest.refused, HasSubstr("in one step"));
+  EXPECT_EQ(thinnest.loop_seconds.size(), 1u);
+  EXPECT_GT(tuning.chosen.skin, 1e-6);
 }
 
 }  // namespace

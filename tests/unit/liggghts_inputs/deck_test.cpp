@@ -50,6 +50,16 @@ TEST(Deck, CutsTheChargeInTwoForAnEvenNumberOfRanks) {
     EXPECT_THAT(deck, HasSubstr("\nprocessors    1 * 1\n"));
 }
 
+TEST(Deck, HasSlabsAlongTheAxisWhereTheCaseWantsThem) {
+  Case mill = example_case();
+  mill.dem.rank_split = RankSplit::axis;
+  EXPECT_THAT(measuring_deck(mill, steps, mill.liner, "x", 2),
+              HasSubstr("\nprocessors    1 * 1\n"));
+  mill.dem.rank_split = RankSplit::charge;
+  EXPECT_EQ(rank_split(mill, 2), RankSplit::charge);
+  EXPECT_EQ(rank_split(mill, 3), RankSplit::axis);
+}
+
 TEST(Deck, GivesEveryMeshAnIdOfItsOwn) {
   EXPECT_THAT(liner_deck(StretchKind::mix, 0), HasSubstr("fix liner_000_mix all mesh/surface"));
   EXPECT_THAT(liner_deck(StretchKind::measure, 0), HasSubstr("fix liner_000 all mesh/surface"));

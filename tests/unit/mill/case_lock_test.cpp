@@ -56,6 +56,7 @@ TEST(LockedCase, KeepsEverySetting) {
   mill.dem.time_step = 1.1e-5;
   mill.dem.rolling_friction = RollingFriction::epsd2;
   mill.dem.skin = 0.0123;
+  mill.dem.rank_split = RankSplit::axis;
   mill.dem.keep_dumps = true;
   mill.dem.seed = 4711;
   EXPECT_EQ(locked_case_text(mill).find("mix_until_steady"), std::string::npos);
@@ -65,6 +66,7 @@ TEST(LockedCase, KeepsEverySetting) {
   EXPECT_EQ(locked_case_text(back), locked_case_text(mill));
   EXPECT_EQ(back.dem.time_step, mill.dem.time_step);
   EXPECT_EQ(back.dem.skin, mill.dem.skin);
+  EXPECT_EQ(back.dem.rank_split, RankSplit::axis);
   EXPECT_EQ(back.dem.rolling_friction, RollingFriction::epsd2);
   EXPECT_TRUE(back.dem.keep_dumps);
   EXPECT_TRUE(back.dem.mix_until_steady);

@@ -136,19 +136,19 @@ TEST(Campaign, SaysWhyAStageIsNext) {
   EXPECT_EQ(next_stage(meshed, {20})->why, "cycle 0 mesh is published and this is not");
 }
 
-TEST(Campaign, TriesSkinsOnceAfterTheFirstMix) {
+TEST(Campaign, TriesForSpeedOnceAfterTheFirstMix) {
   FakeWorld world{.last_cycle = 1, .reversed_after = 0};
-  run_campaign(new_ledger, {20, SkinChoice::by_trial}, world.effects());
+  run_campaign(new_ledger, {20, SpeedTrial::after_first_mix}, world.effects());
   EXPECT_THAT(world.published, ElementsAre("cycle 0 mesh", "cycle 0 mix", "cycle 0 tune",
                                            "cycle 0 dem", "cycle 0 wear", "cycle 1 mesh",
                                            "cycle 1 mix", "cycle 1 dem", "cycle 1 wear"));
 }
 
-TEST(Campaign, TriesSkinsWhereTheCaseWantsIt) {
+TEST(Campaign, TriesForSpeedWhereTheCaseWantsIt) {
   Case mill = example_case();
-  EXPECT_EQ(plan_of(mill).skin, SkinChoice::by_case);
+  EXPECT_EQ(plan_of(mill).trial, SpeedTrial::none);
   mill.dem.tune = true;
-  EXPECT_EQ(plan_of(mill).skin, SkinChoice::by_trial);
+  EXPECT_EQ(plan_of(mill).trial, SpeedTrial::after_first_mix);
   EXPECT_EQ(plan_of(mill).cycle_limit, mill.campaign.cycle_limit);
 }
 

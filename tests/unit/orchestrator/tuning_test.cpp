@@ -15,10 +15,22 @@ namespace {
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 using testing::Not;
 
-SkinTrial trial_of(double skin, std::vector<double> seconds) {
-  return {.skin = skin, .loop_seconds = std::move(seconds), .neighbour_builds = 10};
+DeckTrial trial_of(double skin, std::vector<double> seconds, RankSplit split = RankSplit::charge) {
+  return {.settings = {split, skin}, .loop_seconds = std::move(seconds), .neighbour_builds = 10};
+}
+
+TEST(SplitsOnTrial, AreBothForAnEvenNumberOfRanksTheCasesFirst) {
+  Case mill = example_case();
+  EXPECT_THAT(splits_on_trial(mill, 2), ElementsAre(RankSplit::charge, RankSplit::axis));
+  mill.dem.rank_split = RankSplit::axis;
+  EXPECT_THAT(splits_on_trial(mill, 4), ElementsAre(RankSplit::axis, RankSplit::charge));
+}
+
+TEST(SplitsOnTrial, AreNoneForAnOddNumber) {
+  for (const int ranks : {1, 3}) EXPECT_THAT(splits_on_trial(example_case(), ranks), IsEmpty());
 }
 
 // The least radius is 10 mm; 0.15 to 2 radii in seven equal ratios.
@@ -54,32 +66,45 @@ TEST(MedianSeconds, AreThoseOfTheMiddlePiece) {
 }
 
 // One piece that something else on the machine slowed down does not decide.
-TEST(ChosenSkin, IsTheFastestByTheMedian) {
-  EXPECT_EQ(chosen_skin({trial_of(0.01, {1.2, 1.2, 1.2}), trial_of(0.02, {9.0, 1.0, 1.0}),
-                         trial_of(0.03, {0.5, 1.5, 1.5})}),
+TEST(FastestSettings, AreTheFastestByTheMedian) {
+  EXPECT_EQ(fastest_settings({trial_of(0.01, {1.2, 1.2, 1.2}), trial_of(0.02, {9.0, 1.0, 1.0}),
+                              trial_of(0.03, {0.5, 1.5, 1.5})})
+                ->skin,
             0.02);
+  EXPECT_EQ(fastest_settings(
+                {trial_of(0.01, {1.2}, RankSplit::charge), trial_of(0.01, {1.1}, RankSplit::axis)})
+                ->rank_split,
+            RankSplit::axis);
 }
 
-TEST(ChosenSkin, IsTheSmallestOfThoseEquallyFast) {
-  EXPECT_EQ(chosen_skin({trial_of(0.01, {1.03}), trial_of(0.02, {1.015}), trial_of(0.03, {1.0})}),
-            0.02);
-  EXPECT_EQ(chosen_skin({trial_of(0.03, {1.0}), trial_of(0.02, {1.0})}), 0.02);
+TEST(FastestSettings, AreTheFirstOfThoseEquallyFast) {
+  EXPECT_EQ(
+      fastest_settings({trial_of(0.01, {1.03}), trial_of(0.02, {1.015}), trial_of(0.03, {1.0})})
+          ->skin,
+      0.02);
+  EXPECT_EQ(fastest_settings({trial_of(0.01, {1.015}, RankSplit::charge),
+                              trial_of(0.01, {1.0}, RankSplit::axis)})
+                ->rank_split,
+            RankSplit::charge);
 }
 
-TEST(ChosenSkin, IsNoneWithDangerousBuilds) {
-  std::vector<SkinTrial> trials = {{.skin = 0.01}, {.skin = 0.02}};
+TEST(ChosenSettings, HaveNoSkinWithDangerousBuilds) {
+  std::vector<DeckTrial> trials = {{.settings = {RankSplit::axis, 0.01}},
+                                   {.settings = {RankSplit::axis, 0.02}}};
   for (const long dangerous : {0L, 1L, 0L}) add_piece(trials[0], 1.0, 30, dangerous);
   for (int piece = 0; piece < 3; ++piece) add_piece(trials[1], 2.0, 20, 0);
   EXPECT_EQ(trials[0].dangerous_builds, 1);
   EXPECT_NE(trials[0].refused, "");
-  EXPECT_EQ(chosen_skin(trials), 0.02);
+  EXPECT_EQ(chosen_settings(trials), trials[1].settings);
 }
 
-TEST(ChosenSkin, SaysWhyWhereThereIsNone) {
-  std::vector<SkinTrial> trials = {{.skin = 0.01}, {.skin = 0.02}};
+TEST(ChosenSettings, SayWhyWhereThereAreNone) {
+  std::vector<DeckTrial> trials = {{.settings = {RankSplit::axis, 0.01}},
+                                   {.settings = {RankSplit::axis, 0.02}}};
   add_piece(trials[0], 1.0, 30, 5);
   trials[1].refused = "LIGGGHTS stopped half way";
-  EXPECT_THAT(failure_of<ResultRejected>([&] { static_cast<void>(chosen_skin(trials)); }),
+  EXPECT_EQ(fastest_settings(trials), std::nullopt);
+  EXPECT_THAT(failure_of<ResultRejected>([&] { static_cast<void>(chosen_settings(trials)); }),
               AllOf(HasSubstr("0.02 m: LIGGGHTS stopped half way"), HasSubstr("`skin_m`")));
 }
 
@@ -88,21 +113,28 @@ const Tuning example_tuning{1000,
                             2,
                             5e-5,
                             200,
-                            {{.skin = 0.001, .refused = "too thin"},
-                             trial_of(0.01, {2.5, 2.5, 3.0}),
-                             trial_of(0.02, {2.0, 1.0, 4.0})},
-                            0.02};
+                            {trial_of(0.01, {3.0}), trial_of(0.01, {2.5}, RankSplit::axis)},
+                            {{.settings = {RankSplit::axis, 0.001}, .refused = "too thin"},
+                             trial_of(0.01, {2.5, 2.5, 3.0}, RankSplit::axis),
+                             trial_of(0.02, {2.0, 1.0, 4.0}, RankSplit::axis)},
+                            {RankSplit::axis, 0.02}};
 
 TEST(Tuning, TellsItsSpeed) {
   const auto& chosen = chosen_trial(example_tuning);
-  EXPECT_EQ(chosen.skin, 0.02);
+  EXPECT_EQ(chosen.settings, example_tuning.chosen);
   EXPECT_DOUBLE_EQ(steps_per_second(example_tuning, chosen), 100.0);
   EXPECT_DOUBLE_EQ(simulated_seconds_per_hour(example_tuning, chosen), 18.0);
   EXPECT_EQ(spoken_speed(example_tuning, chosen), "100");
-  EXPECT_EQ(spoken_speed(example_tuning, example_tuning.trials[1]), "80");
-  EXPECT_EQ(dem_line(example_tuning), "skin_m = 0.02");
+  EXPECT_EQ(spoken_speed(example_tuning, example_tuning.skin_trials[1]), "80");
+  EXPECT_EQ(dem_lines(example_tuning), "skin_m = 0.02\nrank_split = \"axis\"");
   EXPECT_THAT(tuning_text(example_tuning),
-              AllOf(HasSubstr("refused: too thin"), HasSubstr("[dem]\nskin_m = 0.02\n")));
+              AllOf(HasSubstr("refused: too thin"), HasSubstr("[dem]\nskin_m = 0.02\nrank_split")));
+}
+
+TEST(Tuning, TellsNothingOfASplitWhereThereIsNoChoice) {
+  Tuning tuning = example_tuning;
+  tuning.split_trials.clear();
+  EXPECT_EQ(dem_lines(tuning), "skin_m = 0.02");
 }
 
 class TuningFile : public testing::Test {
@@ -127,10 +159,12 @@ TEST_F(TuningFile, OfAnotherKindOrVersionIsRefused) {
     return text.replace(text.find(old), old.size(), replacement);
   };
   EXPECT_THAT(refusal_of(changed("millwear tuning", "millwear measured")),
-              AllOf(HasSubstr(file.string()), HasSubstr("not a millwear tuning of version 1")));
-  EXPECT_THAT(refusal_of(changed("\"format_version\": 1", "\"format_version\": 2")),
-              HasSubstr("not a millwear tuning of version 1"));
-  EXPECT_THAT(refusal_of(changed("\"skin_m\": 0.02,\n \"steps", "\"skin_m\": 0.03,\n \"steps")),
+              AllOf(HasSubstr(file.string()), HasSubstr("not a millwear tuning of version 2")));
+  EXPECT_THAT(refusal_of(changed("\"format_version\": 2", "\"format_version\": 3")),
+              HasSubstr("not a millwear tuning of version 2"));
+  EXPECT_THAT(refusal_of(changed("\"rank_split\": \"axis\"", "\"rank_split\": \"x\"")),
+              HasSubstr("rank_split `x`"));
+  EXPECT_THAT(refusal_of(changed("\"skin_m\": 0.02,\n \"skin_t", "\"skin_m\": 0.03,\n \"skin_t")),
               HasSubstr("0.03 m was not tried"));
   EXPECT_NE(refusal_of("{"), "");
 }
@@ -147,11 +181,14 @@ class TunedCampaign : public TuningFile {
   Campaign campaign{example_case(), {place.path()}, 1};
 };
 
-TEST_F(TunedCampaign, WritesLaterDecksWithTheChosenSkin) {
+TEST_F(TunedCampaign, WritesLaterDecksWithTheChosenSettings) {
   EXPECT_EQ(case_of_stretch(campaign, {0, StageKind::mix}).dem.skin, std::nullopt);
+  EXPECT_EQ(case_of_stretch(campaign, {0, StageKind::mix}).dem.rank_split, std::nullopt);
   for (const StageId stage :
-       {StageId{0, StageKind::dem}, StageId{3, StageKind::mix}, StageId{3, StageKind::dem}})
+       {StageId{0, StageKind::dem}, StageId{3, StageKind::mix}, StageId{3, StageKind::dem}}) {
     EXPECT_EQ(case_of_stretch(campaign, stage).dem.skin, 0.02) << name_of(stage);
+    EXPECT_EQ(case_of_stretch(campaign, stage).dem.rank_split, RankSplit::axis) << name_of(stage);
+  }
 }
 
 TEST_F(TunedCampaign, KeepsToTheCaseWhereThatDoesNotTune) {

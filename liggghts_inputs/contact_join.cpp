@@ -16,11 +16,17 @@ Eigen::Vector3d vector_at(std::span<const double> row, std::size_t column) {
   return {row[column], row[column + 1], row[column + 2]};
 }
 
+/// The dumps' tangential force is from before friction cut it.
+Eigen::Vector3d cut_to(double most, const Eigen::Vector3d& force) {
+  const double norm = force.norm();
+  return norm > most ? Eigen::Vector3d(force * (most / norm)) : force;
+}
+
 }  // namespace
 
 ContactJoin::ContactJoin(const Case& mill, const StretchSteps& steps, Take take, Take begin)
     : classes_(mill.charge.classes),
-      friction_(friction_against_liner(mill)),
+      friction_(liner_friction(mill)),
       slice_length_(mill.slice_length),
       mill_speed_(mill.speed),
       steps_(steps),
@@ -118,20 +124,24 @@ WallContact ContactJoin::contact_from(std::span<const double> row, long step) co
   const Eigen::Vector3d velocity = particle.velocity - wall_velocity;
   const ContactMotion motion = contact_motion(arm, particle.radius, velocity, particle.spin);
   const double force = -vector_at(row, 5).dot(motion.into_wall);
-  const double friction = friction_[particle.particle_class];
-  const double slip = sliding_speed(motion.slip, vector_at(row, 8), force, friction);
-  return {.point = point,
-          .into_wall = motion.into_wall,
-          .normal_force = force,
-          .slip_speed = slip,
-          .normal_speed = motion.normal_speed,
-          .impact_speed = motion.impact_speed,
-          .impact_normal_speed = motion.normal_speed,
-          .shear_power = friction * std::abs(force) * slip,
-          .finnie_power = finnie_power(velocity, arm, motion.into_wall, std::abs(force)),
-          .particle_class = particle.particle_class,
-          .particle = static_cast<std::size_t>(row[4]),
-          .triangle = static_cast<std::size_t>(row[3])};
+  const LinerFriction& friction = friction_[particle.particle_class];
+  const Eigen::Vector3d tangential =
+      cut_to(friction.coefficient * std::abs(force), vector_at(row, 8));
+  const double damping =
+      tangential_damping(friction, particle.radius, particle.radius - arm.norm());
+  return {
+      .point = point,
+      .into_wall = motion.into_wall,
+      .normal_force = force,
+      .slip_speed = sliding_speed(motion.slip, tangential, force, friction.coefficient, damping),
+      .normal_speed = motion.normal_speed,
+      .impact_speed = motion.impact_speed,
+      .impact_normal_speed = motion.normal_speed,
+      .shear_power = -tangential.dot(motion.slip),
+      .finnie_power = finnie_power(velocity, arm, motion.into_wall, std::abs(force)),
+      .particle_class = particle.particle_class,
+      .particle = static_cast<std::size_t>(row[4]),
+      .triangle = static_cast<std::size_t>(row[3])};
 }
 
 }  // namespace millwear::liggghts

@@ -7,6 +7,7 @@
 #include "liggghts_inputs/snapshot_reader.h"
 #include "liggghts_inputs/stretch.h"
 #include "mill/case.h"
+#include "mill/liner_friction.h"
 #include "mill/wall_contacts.h"
 
 namespace millwear::liggghts {
@@ -17,10 +18,9 @@ inline constexpr std::size_t spin_columns = 12;     ///< of `dump spins`
 /// Joins the two dumps of a measuring deck, wall contacts and particles near the wall, step by
 /// step. LIGGGHTS's wall contacts carry no spin; with it the slip velocity of the surfaces is
 ///     v_slip = v + omega x (contact - centre) - Omega x contact,   less its normal part.
-/// The dumped tangential force is right while a contact holds and too large while it slides, so it
-/// tells which of the two it is and no more: the shear power is that of a contact that slides,
-/// mu Fn |v_slip|, or none, and Finnie's force is Fn alone.
-/// Holds the snapshots of one dump that the other has not reached yet.
+/// The dumped tangential force is right while a contact holds, but for its damper's velocity, and
+/// too large while it slides: it is cut to mu |Fn|. Finnie's force is Fn alone. Holds the snapshots
+/// of one dump that the other has not reached yet.
 class ContactJoin {
  public:
   using Take = std::function<void(const WallContacts&)>;
@@ -52,7 +52,7 @@ class ContactJoin {
   [[nodiscard]] const ParticleState& state_of(double id, long step) const;
 
   std::vector<ParticleClass> classes_;
-  std::vector<double> friction_;  ///< of each class against the liner
+  std::vector<LinerFriction> friction_;  ///< of each class
   double slice_length_;
   double mill_speed_;
   StretchSteps steps_;

@@ -33,13 +33,6 @@ const MaterialPair& pair_of(const Case& mill, std::size_t a, std::size_t b) {
   return *found;
 }
 
-std::vector<double> friction_against_liner(const Case& mill) {
-  std::vector<double> friction;
-  for (const auto& kind : mill.charge.classes)
-    friction.push_back(pair_of(mill, kind.material, mill.liner_material).sliding_friction);
-  return friction;
-}
-
 ChargeTotals totals(const Case& mill) {
   ChargeTotals sum{0, 0.0, 0.0};
   for (const ParticleClass& c : mill.charge.classes) {

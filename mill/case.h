@@ -163,9 +163,6 @@ struct Case {
 /// The pair of two materials, in either order. Throws InputError if no pair covers them.
 [[nodiscard]] const MaterialPair& pair_of(const Case& mill, std::size_t a, std::size_t b);
 
-/// Sliding friction of every particle class against the liner [-].
-[[nodiscard]] std::vector<double> friction_against_liner(const Case& mill);
-
 [[nodiscard]] ChargeTotals totals(const Case& mill);
 
 /// Inside volume of the simulated slice with its liner as new [m3].

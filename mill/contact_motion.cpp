@@ -16,13 +16,15 @@ ContactMotion contact_motion(const Eigen::Vector3d& arm, double radius,
 }
 
 double sliding_speed(const Eigen::Vector3d& slip, const Eigen::Vector3d& tangential_force,
-                     double normal_force, double friction) {
+                     double normal_force, double friction, double damping) {
   constexpr double rounding = 1e-6;
   const double force = tangential_force.norm();
   const double limit = friction * std::abs(normal_force);
+  const double power = -tangential_force.dot(slip);
   if (friction == 0.0) return slip.norm();
-  if (force == 0.0 || force < (1.0 - rounding) * limit) return 0.0;
-  return std::max(0.0, -tangential_force.dot(slip) / force);
+  if (force == 0.0) return 0.0;
+  if (force >= (1.0 - rounding) * limit) return power / force;
+  return (power - damping * slip.squaredNorm()) / limit;
 }
 
 double finnie_power(const Eigen::Vector3d& velocity, const Eigen::Vector3d& arm,

@@ -20,14 +20,17 @@ struct ContactMotion {
                                            const Eigen::Vector3d& velocity,
                                            const Eigen::Vector3d& spin);
 
-/// Speed at which the surfaces of a contact slide [m/s]: 0 while friction holds them, that is while
-/// the tangential force on the particle [N] is below mu |Fn|, and else the part of `slip` against
-/// that force. What moves along the wall besides is the spring between the surfaces, which gives
-/// its work back. Without friction all of `slip` is sliding. LIGGGHTS cuts the force to mu |Fn|
-/// exactly.
+/// Speed at which the surfaces of a contact move against all that friction can do [m/s], signed:
+///     -F_t . v_slip / (mu |F_n|),
+/// of a contact that slides the part of `slip` against the force, as LIGGGHTS cuts F_t to mu |F_n|.
+/// One that friction holds swings on the spring between the surfaces: the work of loading it comes
+/// back negative, so over a swing the sum is zero, also where a swing reaches the limit time and
+/// again, as of a particle that is jammed and shakes. What the damper beside the spring takes,
+/// `damping` [N s/m] times v_slip^2, is no sliding and is taken off. Without friction all of `slip`
+/// is sliding.
 [[nodiscard]] double sliding_speed(const Eigen::Vector3d& slip,
                                    const Eigen::Vector3d& tangential_force, double normal_force,
-                                   double friction);
+                                   double friction, double damping);
 
 /// Finnie's erosion as LIGGGHTS integrates it over a contact [W]: 2 f(a) |v| |F| while the centre
 /// approaches (v . arm >= 0), 0 while it leaves, where sin(a) = |v . n| / |v| and

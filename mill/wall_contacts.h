@@ -19,7 +19,7 @@ struct WallContact {
   Eigen::Vector3d into_wall;   ///< unit vector from the particle's centre to the point
   double normal_force;         ///< Fn [N], positive pushes; damping can pull as a contact ends
   double slip_speed;           ///< at which the surfaces slide, with the particle's spin [m/s];
-                               ///< 0 while friction holds them
+                               ///< of a contact that friction holds, see `sliding_speed`
   double normal_speed;         ///< closing speed of the surfaces [m/s], positive on approach
   double impact_speed;         ///< of the particle's centre, without its spin [m/s]
   double impact_normal_speed;  ///< its part towards the wall [m/s]; as the contact begins, both are

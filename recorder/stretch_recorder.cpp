@@ -81,7 +81,7 @@ StretchRecorder::StretchRecorder(LAMMPS& liggghts, const Case& mill, const Recor
       mill_(mill),
       plan_(plan),
       mesh_(the_mesh(liggghts)),
-      friction_against_liner_(friction_against_liner(mill)),
+      liner_friction_(liner_friction(mill)),
       load_(liner, measurement_of(mill, plan, liggghts.update->dt, triangles_of(mesh_)),
             [this](const wear::Collision& collision) {
               if (spool_) spool_->add(collision);
@@ -140,11 +140,14 @@ WallContact StretchRecorder::contact_from(const WallTouch& touch, Company compan
   const double pushed = -touch.force.dot(motion.into_wall);
   const Vector3d tangential = touch.force + pushed * motion.into_wall;
   const std::size_t kind = class_of_particle(i);
+  const LinerFriction& friction = liner_friction_[kind];
+  const double damping =
+      tangential_damping(friction, atom.radius[i], atom.radius[i] - touch.arm.norm());
   return {
       .point = at(atom.x, i) + touch.arm,
       .into_wall = motion.into_wall,
       .normal_force = pushed,
-      .slip_speed = sliding_speed(motion.slip, tangential, pushed, friction_against_liner_[kind]),
+      .slip_speed = sliding_speed(motion.slip, tangential, pushed, friction.coefficient, damping),
       .normal_speed = motion.normal_speed,
       .impact_speed = touch.approach.norm(),
       .impact_normal_speed = touch.approach.dot(motion.into_wall),

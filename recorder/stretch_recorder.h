@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mill/case.h"
+#include "mill/liner_friction.h"
 #include "recorder/charge_census.h"
 #include "recorder/collision_spool.h"
 #include "recorder/going_on.h"
@@ -59,7 +60,7 @@ class StretchRecorder {
   Case mill_;
   RecordingPlan plan_;
   LAMMPS_NS::FixMeshSurface& mesh_;
-  std::vector<double> friction_against_liner_;  ///< by particle class
+  std::vector<LinerFriction> liner_friction_;  ///< by particle class
   std::optional<CollisionSpool> spool_;
   wear::LoadAccumulator load_;
   wear::TurningMill turning_;

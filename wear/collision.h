@@ -23,9 +23,9 @@ struct Collision {
   double impact_angle;          ///< of that velocity from the surface [rad], 0 ... pi / 2
   double largest_normal_force;  ///< of simultaneous contacts on this side together [N]
   double normal_dissipation;    ///< int Fn v_n dt [J]
-  double sliding_work;          ///< int max(Fn, 0) |v_slip| dt [J]
+  double sliding_work;          ///< int max(Fn, 0) v_slide dt [J], see mill/contact_motion.h
   double shear_dissipation;     ///< int -Ft . v_slip dt [J]
-  double slip_distance;         ///< int |v_slip| dt, the largest of simultaneous contacts [m]
+  double slip_distance;         ///< int v_slide dt, the largest of simultaneous contacts [m]
   std::uint32_t particle;       ///< its number, from 1
   std::uint32_t particle_class;
   std::int32_t row;  ///< lifter where it began

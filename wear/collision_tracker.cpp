@@ -121,7 +121,8 @@ void CollisionTracker::add_to(OpenCollision& collision, const WallContact& conta
   Collision& sum = collision.so_far;
   const double dt = sample_interval_;
   collision.force_now += contact.normal_force;
-  collision.slip_now = std::max(collision.slip_now, contact.slip_speed);
+  if (std::abs(contact.slip_speed) > std::abs(collision.slip_now))
+    collision.slip_now = contact.slip_speed;
   sum.normal_dissipation += contact.normal_force * contact.normal_speed * dt;
   sum.sliding_work += std::max(contact.normal_force, 0.0) * contact.slip_speed * dt;
   sum.shear_dissipation += contact.shear_power * dt;

@@ -22,7 +22,7 @@ struct OpenCollision {
   Collision so_far;
   double into_wall[3];   ///< sum of these unit vectors over its contacts in the latest sample
   double force_now;      ///< sum of their normal forces [N]
-  double slip_now;       ///< largest of their |v_slip| [m/s]
+  double slip_now;       ///< of theirs the one farthest from zero [m/s]
   double latest_time;    ///< [s]
   std::int64_t sample;   ///< the latest sample it was seen in
   std::uint32_t behind;  ///< next open collision of the same particle, + 1; 0 for none

@@ -1,8 +1,9 @@
 #!/bin/sh
 # What the deck's settings are worth, on the seed mill as printed (26,765 particles): from the deck
 # that one writes first (a mesh of 100 facets a pitch, `processors 2 1 1`, skin 10 mm, `epsd2`) to the
-# one that millwear writes, one change at a time. Every deck goes on from the same charge in flight;
-# they take turns, so that what else the machine does hits all alike. Then the two ways to fill.
+# one that millwear writes, one change at a time; as the charge is packed, and once it is thrown. All
+# decks go on from the same charge; they take turns, so that what else the machine does hits all alike.
+# Then the two ways to fill.
 #   scripts/bench/deck.sh [rounds] [steps] [ranks]      idle machine, a core a rank, an even number
 set -eu
 cd "$(dirname "$0")/../.."
@@ -40,8 +41,7 @@ awk -F, -v facets=$facets -v rows="$(in_case "$work/ours" rows)" -v width="$(in_
     }
     print "endsolid fine" }' "$ours/mesh/profile.csv" >"$work/fine.stl"
 
-# The charge in flight, as a data file that every deck can read whatever its models: in the box that
-# puts the charge in its middle, and in one even around the mill.
+# The charge in flight, as a data file that every deck can read whatever its models.
 cd "$ours/mix"
 sed "s/^run .*/dump end all custom $fall end.dump id type radius density x y z vx vy vz omegax omegay omegaz\\
 dump_modify end first no sort id format \"%d %d %.9g %.9g %.12g %.12g %.12g %.9g %.9g %.9g %.9g %.9g %.9g\"\\
@@ -54,8 +54,13 @@ $mpi liggghts -in fly.in -log none >log
     tail -n "$(awk '/ atoms$/ { print $1 }' charge.data)" end.dump | awk -v part=$part '
       part == "Atoms" { print $1, $2, 2 * $3, $4, $5, $6, $7 }
       part == "Velocities" { print $1, $8, $9, $10, $11, $12, $13 }'
-  done; } >flying.data
-awk '/xlo xhi$/ { $1 = -$2 } { print }' flying.data >flying_even.data
+  done; } >thrown.data
+cp charge.data packed.data
+
+# The box that puts the charge in its middle, and one even around the mill.
+for state in packed thrown; do
+  awk '/xlo xhi$/ { $1 = -$2 } { print }' $state.data >${state}_even.data
+done
 
 # deck NAME MESH CHARGE GRID SKIN ROLLING
 deck() {
@@ -70,41 +75,54 @@ mesh=$ours/mesh/liner.stl
 skin=$(awk '/^neighbor/ { print $2 }' deck.in)
 rolling=$(sed -n 's/.*rolling_friction \([a-z0-9]*\).*/\1/p' contact_model.in | tail -1)
 grid=$(awk '/^processors/ { print $2, $3, $4 }' deck.in)
-decks="first mesh axis middle skin ours"
-deck first  "$work/fine.stl" flying_even.data "$ranks 1 1" 0.010 epsd2
-deck mesh   "$mesh"          flying_even.data "$ranks 1 1" 0.010 epsd2
-deck axis   "$mesh"          flying_even.data "1 $ranks 1" 0.010 epsd2
-deck middle "$mesh"          flying.data      "$grid"      0.010 epsd2
-deck skin   "$mesh"          flying.data      "$grid"      "$skin" epsd2
-deck ours   "$mesh"          flying.data      "$grid"      "$skin" "$rolling"
-cd "$work"
+decks="first mesh middle split skin ours"
 
-echo "round: seconds of $steps steps of the first deck, + mesh, + ranks along the axis, the charge cut in its middle instead, + skin $skin m, + $rolling; load $(cut -d' ' -f1 /proc/loadavg)"
-for round in $(seq "$rounds"); do
-  times=""
-  for name in $decks; do
-    (cd "$name" && $mpi liggghts -in deck.in -log none >log)
-    times="$times $(loop_seconds "$name/log")"
+write_decks() {
+  deck first  "$work/fine.stl" "$1_even.data" "$ranks 1 1" 0.010 epsd2
+  deck mesh   "$mesh"          "$1_even.data" "$ranks 1 1" 0.010 epsd2
+  deck middle "$mesh"          "$1.data"      "2 * 1"      0.010 epsd2
+  deck split  "$mesh"          "$1.data"      "$grid"      0.010 epsd2
+  deck skin   "$mesh"          "$1.data"      "$grid"      "$skin" epsd2
+  deck ours   "$mesh"          "$1.data"      "$grid"      "$skin" "$rolling"
+}
+
+take_turns() {
+  for round in $(seq "$rounds"); do
+    line=""
+    for name in $decks; do
+      (cd "$work/$name" && $mpi liggghts -in deck.in -log none >log)
+      line="$line $(loop_seconds "$work/$name/log")"
+    done
+    echo "$line" >>"$1"
+    echo "$round:$line"
   done
-  echo "$times" >>times
-  echo "$round:$times"
-done
+}
 
-# row COLUMN NAME: medians of the seconds, of the first deck's over these, and of the deck's before
+# row TIMES COLUMN NAME: medians of the seconds, of the first deck's over these, and of the deck's before
 row() {
-  seconds=$(awk -v k="$1" '{ print $k }' times | median)
-  factor=$(awk -v k="$1" '{ print $1 / $k }' times | median)
-  gained=$(awk -v k="$1" '{ print (k > 1 ? $(k - 1) : $1) / $k }' times | median)
-  echo "$seconds $factor $gained" | awk -v name="$2" -v steps="$steps" -v step="$step" '
+  seconds=$(awk -v k="$2" '{ print $k }' "$1" | median)
+  factor=$(awk -v k="$2" '{ print $1 / $k }' "$1" | median)
+  gained=$(awk -v k="$2" '{ print (k > 1 ? $(k - 1) : $1) / $k }' "$1" | median)
+  echo "$seconds $factor $gained" | awk -v name="$3" -v steps="$steps" -v step="$step" '
     { printf "%-40s %8.1f %14.2f %8.2f %12.2f\n", name, steps / $1, 3600 * step * steps / $1, $2, $3 }'
 }
-printf '\n%-40s %8s %14s %8s %12s\n' "" steps/s "sim. s an hour" factor "of the last"
-row 1 "the deck one writes first"
-row 2 "+ mesh as coarse as the shape allows"
-row 3 "+ ranks along the axis"
-row 4 "the charge cut in its middle instead"
-row 5 "+ skin"
-row 6 "+ rolling friction that is optimised"
+
+for state in packed thrown; do
+  cd "$ours/mix"
+  write_decks $state
+  printf '\nThe charge %s; load %s; seconds of %s steps of the first deck and of each below\n' \
+    $state "$(cut -d' ' -f1 /proc/loadavg)" "$steps"
+  times=$work/$state.times
+  take_turns "$times"
+  printf '%-40s %8s %14s %8s %12s\n' "" steps/s "sim. s an hour" factor "of the last"
+  row "$times" 1 "the deck one writes first"
+  row "$times" 2 "+ mesh as coarse as the shape allows"
+  row "$times" 3 "+ the charge cut in its middle"
+  row "$times" 4 "the case's split instead: $grid"
+  row "$times" 5 "+ skin of $skin m"
+  row "$times" 6 "+ rolling friction by $rolling"
+done
+cd "$work"
 
 # Filling: the packing that millwear makes, against a charge that falls from the top (the packing
 # turned upside down), with contacts softened four times more so that it takes minutes; what falls from

@@ -6,7 +6,7 @@
 # docs/how_much_dem.md has the result. cut22_soft takes hours, cut31_soft and cut45 half of one, the
 # others minutes.
 set -eu
-all="base other_seed rocks stiff soft soft10 step15 wide grain14 cut45 cut45_soft cut31_soft cut22_soft"
+all="base other_seed rocks stiff soft soft10 step15 soft_step15 wide grain14 cut45 cut45_soft cut31_soft cut22_soft"
 . "$(dirname "$0")/first_load.sh"
 
 settings() {
@@ -18,6 +18,7 @@ settings() {
     soft) steel=1600 ore=400 ;;
     soft10) steel=4000 ore=1000 ;;
     step15) rayleigh=0.15 ;;
+    soft_step15) steel=1600 ore=400 rayleigh=0.15 ;;
     wide) slice=0.5 ;;
     grain14) cut=0.045 grain=1.4 slice=0.35 ;;
     cut45) cut=0.045 ;;

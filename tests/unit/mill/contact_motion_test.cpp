@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -97,19 +98,74 @@ TEST(Finnie, TakesTheWallsNormalEitherWay) {
 TEST(ContactMotion, SlidesWhereFrictionGivesAllItCan) {
   const Vector3d slip{2.0, 0.0, 0.0};
   const auto against = [](double force) { return Vector3d{-force, 0.0, 0.0}; };
-  EXPECT_EQ(sliding_speed(slip, against(3.0), 10.0, 0.3), 2.0);
-  EXPECT_EQ(sliding_speed(slip, against(3.0 * (1.0 - 1e-9)), 10.0, 0.3), 2.0) << "rounding";
-  EXPECT_EQ(sliding_speed(slip, against(3.0), -10.0, 0.3), 2.0);
-  EXPECT_EQ(sliding_speed(slip, against(2.99), 10.0, 0.3), 0.0);
-  EXPECT_EQ(sliding_speed(slip, against(0.0), 10.0, 0.3), 0.0);
-  EXPECT_EQ(sliding_speed(slip, against(0.0), 10.0, 0.0), 2.0) << "without friction";
+  EXPECT_EQ(sliding_speed(slip, against(3.0), 10.0, 0.3, 7.0), 2.0);
+  EXPECT_EQ(sliding_speed(slip, against(3.0 * (1.0 - 1e-9)), 10.0, 0.3, 7.0), 2.0) << "rounding";
+  EXPECT_EQ(sliding_speed(slip, against(3.0), -10.0, 0.3, 7.0), 2.0);
+  EXPECT_EQ(sliding_speed(slip, against(0.0), 0.0, 0.3, 7.0), 0.0);
+  EXPECT_EQ(sliding_speed(slip, against(0.0), 10.0, 0.0, 7.0), 2.0) << "without friction";
 }
 
-// At the limit, what moves across the force or with it is the spring alone.
+// Half of what friction can do is spent, and the damper takes 0.1 N s/m (2 m/s)^2 of the power.
+TEST(ContactMotion, HeldByFrictionCountsWhatItsSpringTakes) {
+  const double force = 1.5;
+  EXPECT_DOUBLE_EQ(sliding_speed({2.0, 0.0, 0.0}, {-force, 0.0, 0.0}, 10.0, 0.3, 0.1),
+                   (2.0 * force - 0.1 * 4.0) / 3.0);
+}
+
+// At the limit, what moves across the force is the spring alone, and with it it comes back.
 TEST(ContactMotion, SlidesAgainstTheForceOnly) {
-  EXPECT_NEAR(sliding_speed({3.0, 4.0, 0.0}, {-3.0, 0.0, 0.0}, 10.0, 0.3), 3.0, 1e-15);
-  EXPECT_EQ(sliding_speed({0.0, 4.0, 0.0}, {-3.0, 0.0, 0.0}, 10.0, 0.3), 0.0);
-  EXPECT_EQ(sliding_speed({-3.0, 0.0, 0.0}, {-3.0, 0.0, 0.0}, 10.0, 0.3), 0.0);
+  EXPECT_NEAR(sliding_speed({3.0, 4.0, 0.0}, {-3.0, 0.0, 0.0}, 10.0, 0.3, 7.0), 3.0, 1e-15);
+  EXPECT_EQ(sliding_speed({0.0, 4.0, 0.0}, {-3.0, 0.0, 0.0}, 10.0, 0.3, 7.0), 0.0);
+  EXPECT_EQ(sliding_speed({-3.0, 0.0, 0.0}, {-3.0, 0.0, 0.0}, 10.0, 0.3, 7.0), -3.0);
+}
+
+/// A spring that friction cuts, and a damper while it holds, in the steps of a DEM.
+class SpringAndSlider {
+ public:
+  /// Takes a step at a speed; the sum of `sliding_speed` over time grows.
+  void move(double speed) {
+    spring_ += speed * dt;
+    const double cut = std::clamp(spring_, -longest, longest);
+    slid_ += std::abs(spring_ - cut);
+    const bool held = cut == spring_;
+    spring_ = cut;
+    const double force = stiffness * spring_ + (held ? damping * speed : 0.0);
+    counted_ += dt * sliding_speed({speed, 0.0, 0.0}, {-force, 0.0, 0.0}, load, friction, damping);
+  }
+  [[nodiscard]] double slid() const { return slid_; }
+  [[nodiscard]] double counted() const { return counted_; }
+
+  static constexpr double dt = 1e-4, stiffness = 1e5, damping = 5.0, load = 100.0, friction = 0.5;
+  static constexpr double longest = friction * load / stiffness;  ///< that the spring can be [m]
+
+ private:
+  double spring_ = 0.0;
+  double slid_ = 0.0;
+  double counted_ = 0.0;
+};
+
+// Slid by 50 times what the spring can be: the spring keeps half of its last stretch.
+TEST(ContactMotion, CountsTheSlipOfASpringThatFrictionCuts) {
+  SpringAndSlider contact;
+  for (int step = 0; step < 2500; ++step) contact.move(0.1);
+  EXPECT_NEAR(contact.slid(), 49.0 * SpringAndSlider::longest, 1e-9);
+  EXPECT_NEAR(contact.counted(), contact.slid() + 0.5 * SpringAndSlider::longest,
+              0.02 * SpringAndSlider::longest);
+}
+
+// A jammed particle that shakes in every step, a hundredth of what the spring can be: it comes to
+// the limit and slides by as much as it drifts, not by the path it shakes, 39 times as long.
+TEST(ContactMotion, CountsTheDriftOfAParticleThatShakesAndNotItsPath) {
+  SpringAndSlider contact;
+  const double shake = 0.01 * SpringAndSlider::longest / SpringAndSlider::dt;
+  double path = 0.0;
+  for (int step = 0; step < 40000; ++step) {
+    const double speed = step % 2 == 0 ? 1.05 * shake : -shake;
+    contact.move(speed);
+    path += std::abs(speed) * SpringAndSlider::dt;
+  }
+  EXPECT_GT(path, 39.0 * contact.slid());
+  EXPECT_NEAR(contact.counted(), contact.slid(), 0.3 * contact.slid());
 }
 
 }  // namespace

@@ -14,10 +14,10 @@ awk -F, -v height="$height" '
   FNR == 1 { print "# millwear profile 1\nxi_m,eta_m" }
   /^[0-9]/ && !found && above[$1, $2] <= height { found = 1; cycle = $1; step = $2 }
   found && $1 == cycle && $2 == step { print $5 "," $6 }
-' "$results/history.csv" "$results/profiles.csv" >"$dir/worn.csv"
+' "$results/history.csv" "$results/profiles.csv" >"$dir/worn_profile.csv"
 
 settings() {
-  profile=worn.csv
+  profile=worn_profile.csv
   case $1 in
     worn) ;;
     worn_fast) speed=12.26 ;;

@@ -127,21 +127,18 @@ WallContact ContactJoin::contact_from(std::span<const double> row, long step) co
   const LinerFriction& friction = friction_[particle.particle_class];
   const Eigen::Vector3d tangential =
       cut_to(friction.coefficient * std::abs(force), vector_at(row, 8));
-  const double damping =
-      tangential_damping(friction, particle.radius, particle.radius - arm.norm());
-  return {
-      .point = point,
-      .into_wall = motion.into_wall,
-      .normal_force = force,
-      .slip_speed = sliding_speed(motion.slip, tangential, force, friction.coefficient, damping),
-      .normal_speed = motion.normal_speed,
-      .impact_speed = motion.impact_speed,
-      .impact_normal_speed = motion.normal_speed,
-      .shear_power = -tangential.dot(motion.slip),
-      .finnie_power = finnie_power(velocity, arm, motion.into_wall, std::abs(force)),
-      .particle_class = particle.particle_class,
-      .particle = static_cast<std::size_t>(row[4]),
-      .triangle = static_cast<std::size_t>(row[3])};
+  return {.point = point,
+          .into_wall = motion.into_wall,
+          .normal_force = force,
+          .slip_speed = sliding_speed(motion, tangential, force, friction),
+          .normal_speed = motion.normal_speed,
+          .impact_speed = motion.impact_speed,
+          .impact_normal_speed = motion.normal_speed,
+          .shear_power = -tangential.dot(motion.slip),
+          .finnie_power = finnie_power(velocity, arm, motion.into_wall, std::abs(force)),
+          .particle_class = particle.particle_class,
+          .particle = static_cast<std::size_t>(row[4]),
+          .triangle = static_cast<std::size_t>(row[3])};
 }
 
 }  // namespace millwear::liggghts

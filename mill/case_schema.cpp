@@ -166,8 +166,8 @@ constexpr KeySpec keys[] = {
      "how an even number of ranks share the mill: on either side of the moving `charge`'s middle "
      "(where it is missing), or in slabs along the `axis`, as an odd number always do"},
     {"dem", "tune", boolean, defaulted, "false", any, "",
-     "`millwear run` chooses both by a short trial on the mixed charge; in place of `skin_m` and "
-     "`rank_split`"},
+     "`millwear run` chooses the neighbour skin and the split among ranks by a short trial on the "
+     "mixed charge; in place of `skin_m` and `rank_split`"},
     {"dem", "mesh_tolerance", real, defaulted, "0.03", above_up_to(0.0, 0.5), "",
      "mesh against profile, share of the least particle radius [-]"},
     {"dem", "seed", integer, defaulted, "1", between(1, 2147483647), "",

@@ -12,19 +12,20 @@ ContactMotion contact_motion(const Eigen::Vector3d& arm, double radius,
   const Eigen::Vector3d into_wall = arm / length;
   const Eigen::Vector3d surface = velocity + 0.5 * (radius + length) * spin.cross(into_wall);
   const double closing = surface.dot(into_wall);
-  return {into_wall, closing, surface - closing * into_wall, velocity.norm()};
+  return {into_wall, closing, surface - closing * into_wall, velocity.norm(), radius - length};
 }
 
-double sliding_speed(const Eigen::Vector3d& slip, const Eigen::Vector3d& tangential_force,
-                     double normal_force, double friction, double damping) {
+double sliding_speed(const ContactMotion& motion, const Eigen::Vector3d& tangential_force,
+                     double normal_force, const LinerFriction& friction) {
   constexpr double rounding = 1e-6;
   const double force = tangential_force.norm();
-  const double limit = friction * std::abs(normal_force);
-  const double power = -tangential_force.dot(slip);
-  if (friction == 0.0) return slip.norm();
+  const double limit = friction.coefficient * std::abs(normal_force);
+  const double power = -tangential_force.dot(motion.slip);
+  if (friction.coefficient == 0.0) return motion.slip.norm();
   if (force == 0.0) return 0.0;
   if (force >= (1.0 - rounding) * limit) return power / force;
-  return (power - damping * slip.squaredNorm()) / limit;
+  const double damping = tangential_damping(friction, motion.overlap);
+  return (power - damping * motion.slip.squaredNorm()) / limit;
 }
 
 double finnie_power(const Eigen::Vector3d& velocity, const Eigen::Vector3d& arm,

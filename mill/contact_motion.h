@@ -1,6 +1,8 @@
 #pragma once
 #include <Eigen/Core>
 
+#include "mill/liner_friction.h"
+
 namespace millwear {
 
 /// How a sphere moves against the wall where it touches.
@@ -9,6 +11,7 @@ struct ContactMotion {
   double normal_speed;        ///< closing speed [m/s], positive on approach
   Eigen::Vector3d slip;       ///< of the sphere's surface along the wall [m/s]
   double impact_speed;        ///< of the centre, without the spin [m/s]
+  double overlap;             ///< of sphere and wall [m]
 };
 
 /// `arm` is the vector from the centre to the contact [m], `radius` the sphere's, `velocity` the
@@ -22,15 +25,15 @@ struct ContactMotion {
 
 /// Speed at which the surfaces of a contact move against all that friction can do [m/s], signed:
 ///     -F_t . v_slip / (mu |F_n|),
-/// of a contact that slides the part of `slip` against the force, as LIGGGHTS cuts F_t to mu |F_n|.
+/// of a contact that slides the part of v_slip against the force, as LIGGGHTS cuts F_t to mu |F_n|.
 /// One that friction holds swings on the spring between the surfaces: the work of loading it comes
 /// back negative, so over a swing the sum is zero, also where a swing reaches the limit time and
 /// again, as of a particle that is jammed and shakes. What the damper beside the spring takes,
-/// `damping` [N s/m] times v_slip^2, is no sliding and is taken off. Without friction all of `slip`
-/// is sliding.
-[[nodiscard]] double sliding_speed(const Eigen::Vector3d& slip,
+/// `tangential_damping` times v_slip^2, is no sliding and is taken off. Without friction all of
+/// v_slip is sliding.
+[[nodiscard]] double sliding_speed(const ContactMotion& motion,
                                    const Eigen::Vector3d& tangential_force, double normal_force,
-                                   double friction, double damping);
+                                   const LinerFriction& friction);
 
 /// Finnie's erosion as LIGGGHTS integrates it over a contact [W]: 2 f(a) |v| |F| while the centre
 /// approaches (v . arm >= 0), 0 while it leaves, where sin(a) = |v . n| / |v| and

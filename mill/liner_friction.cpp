@@ -19,7 +19,8 @@ double damping_constant(const Case& mill, const ParticleClass& kind, double rest
   const double mass = mill.materials.at(kind.material).density * sphere_volume(kind.diameter);
   const double decrement = -std::log(restitution);
   const double share = decrement / std::hypot(decrement, std::numbers::pi);
-  return 2.0 * std::sqrt(5.0 / 6.0) * share * std::sqrt(8.0 * shear_modulus * mass);
+  const double stiffness_constant = 8.0 * shear_modulus * std::sqrt(0.5 * kind.diameter);
+  return 2.0 * std::sqrt(5.0 / 6.0) * share * std::sqrt(stiffness_constant * mass);
 }
 
 }  // namespace
@@ -33,8 +34,8 @@ std::vector<LinerFriction> liner_friction(const Case& mill) {
   return classes;
 }
 
-double tangential_damping(const LinerFriction& friction, double radius, double overlap) {
-  return friction.damping_constant * std::pow(radius * std::max(0.0, overlap), 0.25);
+double tangential_damping(const LinerFriction& friction, double overlap) {
+  return friction.damping_constant * std::pow(std::max(0.0, overlap), 0.25);
 }
 
 }  // namespace millwear

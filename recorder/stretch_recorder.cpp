@@ -140,24 +140,20 @@ WallContact StretchRecorder::contact_from(const WallTouch& touch, Company compan
   const double pushed = -touch.force.dot(motion.into_wall);
   const Vector3d tangential = touch.force + pushed * motion.into_wall;
   const std::size_t kind = class_of_particle(i);
-  const LinerFriction& friction = liner_friction_[kind];
-  const double damping =
-      tangential_damping(friction, atom.radius[i], atom.radius[i] - touch.arm.norm());
-  return {
-      .point = at(atom.x, i) + touch.arm,
-      .into_wall = motion.into_wall,
-      .normal_force = pushed,
-      .slip_speed = sliding_speed(motion.slip, tangential, pushed, friction.coefficient, damping),
-      .normal_speed = motion.normal_speed,
-      .impact_speed = touch.approach.norm(),
-      .impact_normal_speed = touch.approach.dot(motion.into_wall),
-      .shear_power = -tangential.dot(motion.slip),
-      .finnie_power =
-          finnie_power(touch.approach, touch.arm, touch.wall_normal, touch.force.norm()),
-      .particle_class = kind,
-      .particle = static_cast<std::size_t>(atom.tag[i]),
-      .triangle = static_cast<std::size_t>(touch.triangle),
-      .company = company};
+  return {.point = at(atom.x, i) + touch.arm,
+          .into_wall = motion.into_wall,
+          .normal_force = pushed,
+          .slip_speed = sliding_speed(motion, tangential, pushed, liner_friction_[kind]),
+          .normal_speed = motion.normal_speed,
+          .impact_speed = touch.approach.norm(),
+          .impact_normal_speed = touch.approach.dot(motion.into_wall),
+          .shear_power = -tangential.dot(motion.slip),
+          .finnie_power =
+              finnie_power(touch.approach, touch.arm, touch.wall_normal, touch.force.norm()),
+          .particle_class = kind,
+          .particle = static_cast<std::size_t>(atom.tag[i]),
+          .triangle = static_cast<std::size_t>(touch.triangle),
+          .company = company};
 }
 
 void StretchRecorder::check_that_it_turns(const WallTouch& touch) const {

@@ -94,29 +94,41 @@ TEST(Finnie, TakesTheWallsNormalEitherWay) {
             finnie_power(velocity, 0.05 * down, -down, 10.0));
 }
 
+/// `sliding_speed` of a contact with this slip, and a damper of so many N s/m while it holds.
+double sliding(const Vector3d& slip, const Vector3d& tangential_force, double normal_force,
+               double friction, double damping) {
+  const ContactMotion motion{down, 0.0, slip, slip.norm(), 1.0};
+  return sliding_speed(motion, tangential_force, normal_force, {friction, damping});
+}
+
+TEST(ContactMotion, OverlapsByWhatTheArmIsShorterThanTheRadius) {
+  EXPECT_DOUBLE_EQ(contact_motion(0.049 * down, 0.05, Vector3d::Zero(), Vector3d::Zero()).overlap,
+                   0.001);
+}
+
 // mu Fn = 3 N is all that friction gives. LIGGGHTS takes |Fn| also while damping pulls.
 TEST(ContactMotion, SlidesWhereFrictionGivesAllItCan) {
   const Vector3d slip{2.0, 0.0, 0.0};
   const auto against = [](double force) { return Vector3d{-force, 0.0, 0.0}; };
-  EXPECT_EQ(sliding_speed(slip, against(3.0), 10.0, 0.3, 7.0), 2.0);
-  EXPECT_EQ(sliding_speed(slip, against(3.0 * (1.0 - 1e-9)), 10.0, 0.3, 7.0), 2.0) << "rounding";
-  EXPECT_EQ(sliding_speed(slip, against(3.0), -10.0, 0.3, 7.0), 2.0);
-  EXPECT_EQ(sliding_speed(slip, against(0.0), 0.0, 0.3, 7.0), 0.0);
-  EXPECT_EQ(sliding_speed(slip, against(0.0), 10.0, 0.0, 7.0), 2.0) << "without friction";
+  EXPECT_EQ(sliding(slip, against(3.0), 10.0, 0.3, 7.0), 2.0);
+  EXPECT_EQ(sliding(slip, against(3.0 * (1.0 - 1e-9)), 10.0, 0.3, 7.0), 2.0) << "rounding";
+  EXPECT_EQ(sliding(slip, against(3.0), -10.0, 0.3, 7.0), 2.0);
+  EXPECT_EQ(sliding(slip, against(0.0), 0.0, 0.3, 7.0), 0.0);
+  EXPECT_EQ(sliding(slip, against(0.0), 10.0, 0.0, 7.0), 2.0) << "without friction";
 }
 
 // Half of what friction can do is spent, and the damper takes 0.1 N s/m (2 m/s)^2 of the power.
 TEST(ContactMotion, HeldByFrictionCountsWhatItsSpringTakes) {
   const double force = 1.5;
-  EXPECT_DOUBLE_EQ(sliding_speed({2.0, 0.0, 0.0}, {-force, 0.0, 0.0}, 10.0, 0.3, 0.1),
+  EXPECT_DOUBLE_EQ(sliding({2.0, 0.0, 0.0}, {-force, 0.0, 0.0}, 10.0, 0.3, 0.1),
                    (2.0 * force - 0.1 * 4.0) / 3.0);
 }
 
 // At the limit, what moves across the force is the spring alone, and with it it comes back.
 TEST(ContactMotion, SlidesAgainstTheForceOnly) {
-  EXPECT_NEAR(sliding_speed({3.0, 4.0, 0.0}, {-3.0, 0.0, 0.0}, 10.0, 0.3, 7.0), 3.0, 1e-15);
-  EXPECT_EQ(sliding_speed({0.0, 4.0, 0.0}, {-3.0, 0.0, 0.0}, 10.0, 0.3, 7.0), 0.0);
-  EXPECT_EQ(sliding_speed({-3.0, 0.0, 0.0}, {-3.0, 0.0, 0.0}, 10.0, 0.3, 7.0), -3.0);
+  EXPECT_NEAR(sliding({3.0, 4.0, 0.0}, {-3.0, 0.0, 0.0}, 10.0, 0.3, 7.0), 3.0, 1e-15);
+  EXPECT_EQ(sliding({0.0, 4.0, 0.0}, {-3.0, 0.0, 0.0}, 10.0, 0.3, 7.0), 0.0);
+  EXPECT_EQ(sliding({-3.0, 0.0, 0.0}, {-3.0, 0.0, 0.0}, 10.0, 0.3, 7.0), -3.0);
 }
 
 /// A spring that friction cuts, and a damper while it holds, in the steps of a DEM.
@@ -130,7 +142,7 @@ class SpringAndSlider {
     const bool held = cut == spring_;
     spring_ = cut;
     const double force = stiffness * spring_ + (held ? damping * speed : 0.0);
-    counted_ += dt * sliding_speed({speed, 0.0, 0.0}, {-force, 0.0, 0.0}, load, friction, damping);
+    counted_ += dt * sliding({speed, 0.0, 0.0}, {-force, 0.0, 0.0}, load, friction, damping);
   }
   [[nodiscard]] double slid() const { return slid_; }
   [[nodiscard]] double counted() const { return counted_; }

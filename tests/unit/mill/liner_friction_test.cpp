@@ -30,16 +30,16 @@ TEST(LinerFriction, DampsAsHertzAndMindlinsContactDoes) {
   const auto friction = liner_friction(mill);
   ASSERT_EQ(friction.size(), mill.charge.classes.size());
   EXPECT_EQ(friction.front().coefficient, pair.sliding_friction);
-  const double damping = tangential_damping(friction.front(), radius, overlap);
+  const double damping = tangential_damping(friction.front(), overlap);
   EXPECT_NEAR(damping, -2.0 * std::sqrt(5.0 / 6.0) * beta * std::sqrt(stiffness * mass),
               1e-12 * damping);
-  EXPECT_EQ(tangential_damping(friction.front(), radius, -1e-9), 0.0);
+  EXPECT_EQ(tangential_damping(friction.front(), -1e-9), 0.0);
 }
 
 TEST(LinerFriction, HasNoDamperWhereContactsAreElastic) {
   Case mill = example_case();
   for (auto& pair : mill.pairs) pair.restitution = 1.0;
-  EXPECT_EQ(tangential_damping(liner_friction(mill).front(), 0.01, 1e-5), 0.0);
+  EXPECT_EQ(tangential_damping(liner_friction(mill).front(), 1e-5), 0.0);
 }
 
 }  // namespace

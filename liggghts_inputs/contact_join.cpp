@@ -131,6 +131,7 @@ WallContact ContactJoin::contact_from(std::span<const double> row, long step) co
           .into_wall = motion.into_wall,
           .normal_force = force,
           .slip_speed = sliding_speed(motion, tangential, force, friction),
+          .path_speed = path_speed(motion, tangential, force, friction),
           .normal_speed = motion.normal_speed,
           .impact_speed = motion.impact_speed,
           .impact_normal_speed = motion.normal_speed,

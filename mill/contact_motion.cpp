@@ -5,6 +5,14 @@
 #include <cmath>
 
 namespace millwear {
+namespace {
+
+bool is_at_limit(double tangential_force, double normal_force, const LinerFriction& friction) {
+  constexpr double rounding = 1e-6;
+  return tangential_force >= (1.0 - rounding) * friction.coefficient * std::abs(normal_force);
+}
+
+}  // namespace
 
 ContactMotion contact_motion(const Eigen::Vector3d& arm, double radius,
                              const Eigen::Vector3d& velocity, const Eigen::Vector3d& spin) {
@@ -17,15 +25,20 @@ ContactMotion contact_motion(const Eigen::Vector3d& arm, double radius,
 
 double sliding_speed(const ContactMotion& motion, const Eigen::Vector3d& tangential_force,
                      double normal_force, const LinerFriction& friction) {
-  constexpr double rounding = 1e-6;
   const double force = tangential_force.norm();
-  const double limit = friction.coefficient * std::abs(normal_force);
   const double power = -tangential_force.dot(motion.slip);
   if (friction.coefficient == 0.0) return motion.slip.norm();
   if (force == 0.0) return 0.0;
-  if (force >= (1.0 - rounding) * limit) return power / force;
+  if (is_at_limit(force, normal_force, friction)) return power / force;
   const double damping = tangential_damping(friction, motion.overlap);
-  return (power - damping * motion.slip.squaredNorm()) / limit;
+  return (power - damping * motion.slip.squaredNorm()) /
+         (friction.coefficient * std::abs(normal_force));
+}
+
+double path_speed(const ContactMotion& motion, const Eigen::Vector3d& tangential_force,
+                  double normal_force, const LinerFriction& friction) {
+  const bool slips = is_at_limit(tangential_force.norm(), normal_force, friction);
+  return slips ? motion.slip.norm() : 0.0;
 }
 
 double finnie_power(const Eigen::Vector3d& velocity, const Eigen::Vector3d& arm,

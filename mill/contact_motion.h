@@ -35,6 +35,13 @@ struct ContactMotion {
                                    const Eigen::Vector3d& tangential_force, double normal_force,
                                    const LinerFriction& friction);
 
+/// |v_slip| of a contact whose force is at the limit of friction [m/s], 0 of one that friction
+/// holds. Where the time step resolves a contact this is its `sliding_speed`; beyond that it is
+/// what a particle that shakes from limit to limit goes to and fro.
+[[nodiscard]] double path_speed(const ContactMotion& motion,
+                                const Eigen::Vector3d& tangential_force, double normal_force,
+                                const LinerFriction& friction);
+
 /// Finnie's erosion as LIGGGHTS integrates it over a contact [W]: 2 f(a) |v| |F| while the centre
 /// approaches (v . arm >= 0), 0 while it leaves, where sin(a) = |v . n| / |v| and
 ///     f(a) = sin(2 a) - 3 sin(a)^2   for tan(a) <= 1/3,   cos(a)^2 / 3   above.

@@ -20,6 +20,7 @@ struct WallContact {
   double normal_force;         ///< Fn [N], positive pushes; damping can pull as a contact ends
   double slip_speed;           ///< at which the surfaces slide, with the particle's spin [m/s];
                                ///< of a contact that friction holds, see `sliding_speed`
+  double path_speed;           ///< |v_slip| of one at the limit of friction [m/s], see `path_speed`
   double normal_speed;         ///< closing speed of the surfaces [m/s], positive on approach
   double impact_speed;         ///< of the particle's centre, without its spin [m/s]
   double impact_normal_speed;  ///< its part towards the wall [m/s]; as the contact begins, both are

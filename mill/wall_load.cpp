@@ -1,5 +1,7 @@
 #include "mill/wall_load.h"
 
+#include <cmath>
+
 namespace millwear {
 
 Eigen::VectorXd WallLoad::bin_widths() const {
@@ -20,6 +22,11 @@ Eigen::MatrixXd WallLoad::by_block(Measure measure) const {
     sum += all.middleCols(static_cast<Eigen::Index>(c) * blocks, blocks);
   }
   return sum;
+}
+
+double path_over_slip(const WallLoad& load) {
+  const double slid = load.total(Measure::sliding_work).sum();
+  return slid > 0.0 ? load.total(Measure::path_work).sum() / slid : std::nan("");
 }
 
 }  // namespace millwear

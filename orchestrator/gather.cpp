@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -137,6 +138,8 @@ wear::WornCycle add_cycle(const Campaign& campaign, int cycle, double time, Repo
       read_measured(campaign.folder.stage({cycle, StageKind::dem}) / stage_files::measured);
   const auto kept =
       read_cycle(campaign.folder.stage(wear_id) / stage_files::steps, mill.liner.sector);
+  const auto recorded =
+      wear::read_record(campaign.folder.stage({cycle, StageKind::dem}) / stage_files::load);
   if (cycle == 0) {
     data.history.push_back(
         row_of(campaign, mill.liner, measured, wear_id, 0, 0.0, Rotation::as_new));
@@ -150,6 +153,7 @@ wear::WornCycle add_cycle(const Campaign& campaign, int cycle, double time, Repo
                        measured.rejected_share,
                        measured.revolutions,
                        measured.peak_error,
+                       path_over_slip(recorded.load),
                        std::string(name_of(end_of(measured)))};
   const Rotation rotation = rotation_of_cycle(campaign, cycle);
   double hours = data.history.back().operating_hours;
@@ -164,8 +168,6 @@ wear::WornCycle add_cycle(const Campaign& campaign, int cycle, double time, Repo
     balance.accounted += step.accounted_area + step.fallen_area;
   }
   data.conservation.push_back(balance);
-  const auto recorded =
-      wear::read_record(campaign.folder.stage({cycle, StageKind::dem}) / stage_files::load);
   data.power.push_back(
       power_of_cycle(cycle, measured, static_cast<int>(recorded.load.block_count)));
   const auto rate = wear::rate_of_load(mill, recorded.load);
@@ -236,6 +238,18 @@ void add_mixing_warning(const Campaign& campaign, const Ledger& ledger, int cycl
         fmt::format("cycle {}: {}; raise `mix_revolutions`", cycle, spoken_mixing(record)));
 }
 
+/// What to keep in mind where jammed particles shook: of the cycle in which they did so most.
+void add_shaking_warning(ReportData& data) {
+  constexpr double longest_path = 1.5;
+  const auto worst = std::ranges::max_element(data.conservation, {}, &Conservation::path_over_slip);
+  if (worst == data.conservation.end() || !(worst->path_over_slip > longest_path)) return;
+  data.warnings.push_back(fmt::format(
+      "cycle {}: contacts went {:.1f} times as far as they slid, for jammed particles shake: the "
+      "time step is too long for them, and the loss may be a quarter too large; halve "
+      "`rayleigh_fraction` to see",
+      worst->cycle, worst->path_over_slip));
+}
+
 }  // namespace
 
 ReportData gather(const Campaign& campaign, const Ledger& ledger) {
@@ -257,6 +271,7 @@ ReportData gather(const Campaign& campaign, const Ledger& ledger) {
   }
   data.life = life_from(campaign, ledger, data);
   add_uncertainty(mill, cycles, data);
+  add_shaking_warning(data);
   double wall = 0.0;
   for (const auto& entry : ledger.entries) wall += entry.wall_seconds;
   data.provenance = {{"Program", ledger.start.program},

@@ -144,6 +144,7 @@ WallContact StretchRecorder::contact_from(const WallTouch& touch, Company compan
           .into_wall = motion.into_wall,
           .normal_force = pushed,
           .slip_speed = sliding_speed(motion, tangential, pushed, liner_friction_[kind]),
+          .path_speed = path_speed(motion, tangential, pushed, liner_friction_[kind]),
           .normal_speed = motion.normal_speed,
           .impact_speed = touch.approach.norm(),
           .impact_normal_speed = touch.approach.dot(motion.into_wall),

@@ -124,8 +124,9 @@ LinerPlace LoadAccumulator::liner_place(const Place& place) const {
 void LoadAccumulator::check(const WallContact& contact, double time) const {
   if (contact.particle_class >= measurement_.class_mass.size() ||
       !std::isfinite(contact.point.sum() + contact.into_wall.sum() + contact.normal_force +
-                     contact.slip_speed + contact.normal_speed + contact.impact_speed +
-                     contact.impact_normal_speed + contact.shear_power + contact.finnie_power)) {
+                     contact.slip_speed + contact.path_speed + contact.normal_speed +
+                     contact.impact_speed + contact.impact_normal_speed + contact.shear_power +
+                     contact.finnie_power)) {
     throw ResultRejected(fmt::format(
         "a wall contact at {} s is of particle class {} of {} or holds a value that is not "
         "finite",
@@ -163,12 +164,12 @@ void LoadAccumulator::add(const WallContacts& sample) {
     const double begins = begun[i] ? 1.0 : 0.0;
     const double half_mass = 0.5 * begins * measurement_.class_mass[contact.particle_class];
     const double excess = std::max(contact.impact_speed - measurement_.excess_speed, 0.0);
+    const double pushed = std::max(contact.normal_force, 0.0);
     Amounts amounts;
-    amounts << 1.0, begins, contact.normal_force * dt,
-        std::max(contact.normal_force, 0.0) * contact.slip_speed * dt,
-        contact.normal_force * contact.normal_speed * dt, contact.shear_power * dt,
-        half_mass * contact.impact_speed * contact.impact_speed, half_mass * excess * excess,
-        contact.finnie_power * dt;
+    amounts << 1.0, begins, contact.normal_force * dt, pushed * contact.slip_speed * dt,
+        pushed * contact.path_speed * dt, contact.normal_force * contact.normal_speed * dt,
+        contact.shear_power * dt, half_mass * contact.impact_speed * contact.impact_speed,
+        half_mass * excess * excess, contact.finnie_power * dt;
     if (contact.triangle < measurement_.triangles)
       record_.triangles.col(static_cast<Eigen::Index>(contact.triangle)).array() += amounts;
     if (!(place.on_profile.distance <= measurement_.contact_limit)) {

@@ -22,7 +22,8 @@ inline constexpr int cells_per_bin = 8;
 /// (an eighth of a bin) of the nearest place on the profile, to its particle class and to the time
 /// block in which the middle of the sample's interval (t - dt, t] lies:
 ///     samples += 1, normal_impulse += Fn dt, sliding_work += max(Fn, 0) v_slide dt,
-///     normal_dissipation += Fn v_n dt, shear_dissipation, finnie += power dt,
+///     path_work += max(Fn, 0) v_path dt, normal_dissipation += Fn v_n dt,
+///     shear_dissipation, finnie += power dt,
 /// and where a collision begins
 ///     events += 1, incident_energy += m v^2 / 2, excess_energy += m max(v - v_0, 0)^2 / 2.
 /// The damping of a contact that ends may pull (Fn < 0): that dissipates, but abrades nothing.

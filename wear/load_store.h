@@ -10,7 +10,7 @@
 namespace millwear::wear {
 
 /// Version and types of the files below; files of another version are refused.
-inline constexpr int load_format_version = 3;
+inline constexpr int load_format_version = 4;
 inline constexpr std::string_view one_load = "millwear wall load";
 inline constexpr std::string_view many_loads = "millwear wall loads";
 

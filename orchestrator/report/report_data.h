@@ -46,7 +46,7 @@ struct LoadAlongProfile {
   std::vector<Eigen::Vector2d> centres;  ///< of bins, master frame (xi, eta) [m]
   LoadLine contacts;                     ///< contact samples per metre of profile [1/m]
   LoadLine normal_dissipation;           ///< int Fn v_n dt per lifter surface and time [W/m2]
-  LoadLine sliding_work;                 ///< int Fn |v_slip| dt per lifter surface and time [W/m2]
+  LoadLine sliding_work;                 ///< per lifter surface and time [W/m2]
   LoadLine depth_rate;                   ///< wear depth per running time [m/s]
 };
 
@@ -98,7 +98,8 @@ struct Conservation {
   double rejected;            ///< share of the contacts that no bin took [-]
   double revolutions;         ///< over which the load was measured
   double peak_error;  ///< relative standard error of the smoothed rate at its peaks; NaN unknown
-  std::string end;    ///< why the measurement ended: as `name_of(MeasurementEnd)`
+  double path_over_slip;  ///< see `millwear::path_over_slip`
+  std::string end;        ///< why the measurement ended: as `name_of(MeasurementEnd)`
 };
 
 /// A lifter height that a gauge read, to hold the prediction against.

@@ -146,10 +146,15 @@ Json json_of(const MotionOfCycle& motion) {
 }
 
 Json json_of(const Conservation& balance) {
-  return {{"cycle", balance.cycle},           {"removed", balance.removed},
-          {"accounted", balance.accounted},   {"moved_by_smoothing", balance.moved_by_smoothing},
-          {"rejected", balance.rejected},     {"revolutions", balance.revolutions},
-          {"peak_error", balance.peak_error}, {"end", balance.end}};
+  return {{"cycle", balance.cycle},
+          {"removed", balance.removed},
+          {"accounted", balance.accounted},
+          {"moved_by_smoothing", balance.moved_by_smoothing},
+          {"rejected", balance.rejected},
+          {"revolutions", balance.revolutions},
+          {"peak_error", balance.peak_error},
+          {"path_over_slip", balance.path_over_slip},
+          {"end", balance.end}};
 }
 
 Json json_of(const MeasuredHeight& measured) {

@@ -128,6 +128,7 @@ TEST_F(RecordedSphere, DraggedDissipatesFrictionTimesDistance) {
       record_sphere(mill, steps, resting(mill, -0.2 * velocity, velocity), drag_without_rolling);
   const double work = sphere_mass * gravity * 0.2;
   EXPECT_NEAR(sum(recording, Measure::sliding_work), work, 1e-3 * work);
+  EXPECT_NEAR(sum(recording, Measure::path_work), work, 1e-3 * work);
   EXPECT_NEAR(sum(recording, Measure::shear_dissipation), 0.3 * work, 3e-3 * work);
   ASSERT_EQ(recording.collisions.size(), 1u);
   EXPECT_EQ(recording.collisions.front().unfinished, wear::Unfinished::both);
@@ -151,6 +152,7 @@ TEST_F(RecordedSphere, HeldByFrictionDoesNotSlide) {
   RecordProperty("slid_share",
                  fmt::format("{:.6f}", 0.3 * sum(recording, Measure::sliding_work) / damped));
   EXPECT_LT(std::abs(0.3 * sum(recording, Measure::sliding_work)), 0.02 * damped);
+  EXPECT_LT(sum(recording, Measure::path_work), 0.001 * damped);
 }
 
 TEST_F(RecordedSphere, RollingDissipatesNothing) {

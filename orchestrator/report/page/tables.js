@@ -59,6 +59,7 @@ function fillConservation() {
     {head: "Contacts in no bin", unit: "%", text: (row) => fixed(3)(inPercent(row.rejected))},
     {head: "Measured for", unit: "revolutions", text: (row) => significant(3)(row.revolutions)},
     {head: "Rate at its peaks", unit: "± %", text: (row) => significant(2)(inPercent(row.peak_error))},
+    {head: "Path over slip", text: (row) => fixed(2)(row.path_over_slip)},
     {head: "Measurement ended", text: (row) => row.end},
   ], () => false);
 }

@@ -131,10 +131,19 @@ TEST(ContactMotion, SlidesAgainstTheForceOnly) {
   EXPECT_EQ(sliding({-3.0, 0.0, 0.0}, {-3.0, 0.0, 0.0}, 10.0, 0.3, 7.0), -3.0);
 }
 
+TEST(ContactMotion, PathIsAllSlipAtTheLimitAndNoneOfAHeldContact) {
+  const ContactMotion motion{down, 0.0, {3.0, 4.0, 0.0}, 5.0, 1.0};
+  const LinerFriction friction{0.3, 7.0};
+  EXPECT_EQ(path_speed(motion, {-3.0, 0.0, 0.0}, 10.0, friction), 5.0);
+  EXPECT_EQ(path_speed(motion, {0.0, 3.0, 0.0}, -10.0, friction), 5.0);
+  EXPECT_EQ(path_speed(motion, {-2.9, 0.0, 0.0}, 10.0, friction), 0.0);
+  EXPECT_EQ(path_speed(motion, Vector3d::Zero(), 10.0, {0.0, 7.0}), 5.0) << "without friction";
+}
+
 /// A spring that friction cuts, and a damper while it holds, in the steps of a DEM.
 class SpringAndSlider {
  public:
-  /// Takes a step at a speed; the sum of `sliding_speed` over time grows.
+  /// Takes a step at a speed; the sums of `sliding_speed` and `path_speed` over time grow.
   void move(double speed) {
     spring_ += speed * dt;
     const double cut = std::clamp(spring_, -longest, longest);
@@ -142,10 +151,14 @@ class SpringAndSlider {
     const bool held = cut == spring_;
     spring_ = cut;
     const double force = stiffness * spring_ + (held ? damping * speed : 0.0);
-    counted_ += dt * sliding({speed, 0.0, 0.0}, {-force, 0.0, 0.0}, load, friction, damping);
+    const ContactMotion motion{down, 0.0, {speed, 0.0, 0.0}, std::abs(speed), 1.0};
+    const LinerFriction resists{friction, damping};
+    counted_ += dt * sliding_speed(motion, {-force, 0.0, 0.0}, load, resists);
+    path_ += dt * path_speed(motion, {-force, 0.0, 0.0}, load, resists);
   }
   [[nodiscard]] double slid() const { return slid_; }
   [[nodiscard]] double counted() const { return counted_; }
+  [[nodiscard]] double path() const { return path_; }
 
   static constexpr double dt = 1e-4, stiffness = 1e5, damping = 5.0, load = 100.0, friction = 0.5;
   static constexpr double longest = friction * load / stiffness;  ///< that the spring can be [m]
@@ -154,6 +167,7 @@ class SpringAndSlider {
   double spring_ = 0.0;
   double slid_ = 0.0;
   double counted_ = 0.0;
+  double path_ = 0.0;
 };
 
 // Slid by 50 times what the spring can be: the spring keeps half of its last stretch.
@@ -163,6 +177,7 @@ TEST(ContactMotion, CountsTheSlipOfASpringThatFrictionCuts) {
   EXPECT_NEAR(contact.slid(), 49.0 * SpringAndSlider::longest, 1e-9);
   EXPECT_NEAR(contact.counted(), contact.slid() + 0.5 * SpringAndSlider::longest,
               0.02 * SpringAndSlider::longest);
+  EXPECT_NEAR(contact.path(), contact.slid(), 0.02 * contact.slid());
 }
 
 // A jammed particle that shakes in every step, a hundredth of what the spring can be: it comes to
@@ -178,6 +193,7 @@ TEST(ContactMotion, CountsTheDriftOfAParticleThatShakesAndNotItsPath) {
   }
   EXPECT_GT(path, 39.0 * contact.slid());
   EXPECT_NEAR(contact.counted(), contact.slid(), 0.3 * contact.slid());
+  EXPECT_GT(contact.path(), 15.0 * contact.slid());
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace millwear {
 namespace {
 
@@ -38,6 +40,14 @@ TEST(WallLoad, ByBlockSumsClasses) {
   Eigen::MatrixXd expected(2, 3);
   expected << 5, 7, 9, 50, 70, 90;
   EXPECT_EQ(small_load().by_block(Measure::sliding_work), expected);
+}
+
+TEST(WallLoad, PathOverSlipIsOfTheWholeLiner) {
+  WallLoad load = small_load();
+  load.values[index_of(Measure::path_work)].col(4) << 300.0, 47.0 + 0.5 * 231.0;
+  EXPECT_DOUBLE_EQ(path_over_slip(load), (347.0 + 115.5) / 231.0);
+  load.values[index_of(Measure::sliding_work)].setZero();
+  EXPECT_TRUE(std::isnan(path_over_slip(load)));
 }
 
 }  // namespace

@@ -254,7 +254,7 @@ ReportData synthetic_campaign(int cycles, int steps) {
     data.power.push_back(power_at(data.history.back(), random));
     data.motion.push_back(motion_of(data.history.back()));
     data.conservation.push_back(
-        {cycle, 0.0041, 0.0041 * (1.0 + 2e-8), 0.031, 4e-5, 2.0, 0.06, "target reached"});
+        {cycle, 0.0041, 0.0041 * (1.0 + 2e-8), 0.031, 4e-5, 2.0, 0.06, 1.2, "target reached"});
   }
   return data;
 }

@@ -28,6 +28,7 @@ WallContact touch(std::size_t particle, double angle, std::size_t triangle = 0) 
           .into_wall = {std::sin(angle), 0.0, -std::cos(angle)},
           .normal_force = 100.0,
           .slip_speed = 0.5,
+          .path_speed = 0.75,
           .normal_speed = 0.2,
           .impact_speed = 2.0,
           .impact_normal_speed = 1.0,

@@ -52,6 +52,7 @@ TEST(LoadAccumulator, AddsEveryMeasureToItsCellClassAndBlock) {
   EXPECT_EQ(found, 1.0);
   EXPECT_DOUBLE_EQ(sum(load, Measure::normal_impulse), 100.0 * 0.01);
   EXPECT_DOUBLE_EQ(sum(load, Measure::sliding_work), 100.0 * 0.5 * 0.01);
+  EXPECT_DOUBLE_EQ(sum(load, Measure::path_work), 100.0 * 0.75 * 0.01);
   EXPECT_DOUBLE_EQ(sum(load, Measure::normal_dissipation), 100.0 * 0.2 * 0.01);
   EXPECT_DOUBLE_EQ(sum(load, Measure::shear_dissipation), 15.0 * 0.01);
   EXPECT_DOUBLE_EQ(sum(load, Measure::finnie), 3.0 * 0.01);

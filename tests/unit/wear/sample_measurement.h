@@ -25,6 +25,7 @@ inline WallContact sample_contact(const Eigen::Vector2d& master, int row, double
           .into_wall = Eigen::Vector3d(place.x(), 0.0, place.y()).normalized(),
           .normal_force = 100.0,
           .slip_speed = 0.5,
+          .path_speed = 0.75,
           .normal_speed = 0.2,
           .impact_speed = 0.4,
           .impact_normal_speed = 0.2,

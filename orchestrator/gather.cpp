@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -14,6 +13,7 @@
 #include "orchestrator/impacts.h"
 #include "orchestrator/mixing.h"
 #include "orchestrator/motion_of_cycle.h"
+#include "orchestrator/shaking_warning.h"
 #include "orchestrator/uncertainty.h"
 #include "wear/block_persistence.h"
 #include "wear/load_carrier.h"
@@ -238,18 +238,6 @@ void add_mixing_warning(const Campaign& campaign, const Ledger& ledger, int cycl
         fmt::format("cycle {}: {}; raise `mix_revolutions`", cycle, spoken_mixing(record)));
 }
 
-/// What to keep in mind where jammed particles shook: of the cycle in which they did so most.
-void add_shaking_warning(ReportData& data) {
-  constexpr double longest_path = 1.5;
-  const auto worst = std::ranges::max_element(data.conservation, {}, &Conservation::path_over_slip);
-  if (worst == data.conservation.end() || !(worst->path_over_slip > longest_path)) return;
-  data.warnings.push_back(fmt::format(
-      "cycle {}: contacts went {:.1f} times as far as they slid, for jammed particles shake: the "
-      "time step is too long for them, and the loss may be a quarter too large; halve "
-      "`rayleigh_fraction` to see",
-      worst->cycle, worst->path_over_slip));
-}
-
 }  // namespace
 
 ReportData gather(const Campaign& campaign, const Ledger& ledger) {
@@ -271,7 +259,7 @@ ReportData gather(const Campaign& campaign, const Ledger& ledger) {
   }
   data.life = life_from(campaign, ledger, data);
   add_uncertainty(mill, cycles, data);
-  add_shaking_warning(data);
+  if (const auto warning = shaking_warning(data.conservation)) data.warnings.push_back(*warning);
   double wall = 0.0;
   for (const auto& entry : ledger.entries) wall += entry.wall_seconds;
   data.provenance = {{"Program", ledger.start.program},

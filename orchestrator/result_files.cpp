@@ -51,7 +51,11 @@ json outputs_of(const Ledger& ledger, const RunFolder& folder) {
 std::string summary_json(const Campaign& campaign, const Ledger& ledger, const ReportData& data) {
   const double removed = data.history.empty() ? 0.0 : data.history.back().worn_volume;
   double accounted = 0.0;
-  for (const auto& cycle : data.conservation) accounted += cycle.accounted;
+  json paths = json::array();
+  for (const auto& cycle : data.conservation) {
+    accounted += cycle.accounted;
+    paths.push_back(number_or_null(cycle.path_over_slip));
+  }
   const json summary = {
       {"type", "millwear summary"},
       {"format_version", 1},
@@ -67,6 +71,7 @@ std::string summary_json(const Campaign& campaign, const Ledger& ledger, const R
       {"volume_removed_m3_per_m", removed},
       {"volume_accounted_m3_per_m", accounted},
       {"volume_error", accounted > 0.0 ? json(removed / accounted - 1.0) : json(nullptr)},
+      {"path_over_slip", paths},
       {"parameters", locked_case_text(campaign.mill)},
       {"case_hash", ledger.start.case_hash},
       {"versions", {{"millwear", program_version()}, {"liggghts", liggghts_version(campaign)}}},

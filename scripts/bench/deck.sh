@@ -3,7 +3,6 @@
 # that one writes first (a mesh of 100 facets a pitch, `processors 2 1 1`, skin 10 mm, `epsd2`) to the
 # one that millwear writes, one change at a time; as the charge is packed, and once it is thrown. All
 # decks go on from the same charge; they take turns, so that what else the machine does hits all alike.
-# Then the two ways to fill.
 #   scripts/bench/deck.sh [rounds] [steps] [ranks]      idle machine, a core a rank, an even number
 set -eu
 cd "$(dirname "$0")/../.."
@@ -121,29 +120,4 @@ for state in packed thrown; do
   row "$times" 4 "the case's split instead: $grid"
   row "$times" 5 "+ skin of $skin m"
   row "$times" 6 "+ rolling friction by $rolling"
-done
-cd "$work"
-
-# Filling: the packing that millwear makes, against a charge that falls from the top (the packing
-# turned upside down), with contacts softened four times more so that it takes minutes; what falls from
-# the top may then pass through the liner and be lost. Steady is when
-# the kinetic energy was last a quarter off its mean over the last fifth of the run.
-awk '/^modulus_reduction/ { $3 = 4 * $3 } { print }' "$case" >soft.toml
-$millwear deck soft.toml --out "$work/soft" --ranks "$ranks" --quiet >/dev/null
-cd "$work/soft/cycle_000/mix"
-soft_step=$(time_step .)
-fill=$(awk -v step="$soft_step" '/^run/ { print int(2.0 / step) }' deck.in)   # two seconds
-sed -i -e "s/^run .*/run $fill/" -e "s/^thermo  .*/thermo $((fill / 200))/" -e '/^write_restart/d' -e 's/lost error/lost ignore/' deck.in
-awk '/^Atoms/ { on = 1 } on && NF == 7 { $7 = -$7 } { print }' charge.data >falling.data
-sed 's/^read_data .*/read_data falling.data/' deck.in >falling.in
-printf '\n%-40s %16s %16s %16s\n' "" "steady after, s" "peak energy, kJ" "particles lost"
-for way in deck falling; do
-  $mpi liggghts -in $way.in -log none >$way.log
-  [ $way = deck ] && printf '%-40s' "packed low" || printf '%-40s' "falling from the top"
-  awk -v step="$soft_step" '
-    NF == 5 && $1 ~ /^[0-9]+$/ && $2 ~ /^[0-9]+$/ { n++; time[n] = $1 * step; energy[n] = $3; if (n == 1) all = $2; left = $2 }
-    END { from = int(0.8 * n); for (i = from; i <= n; i++) mean += energy[i] / (n - from + 1)
-      for (i = 1; i <= n; i++) { if (energy[i] > peak) peak = energy[i]
-        if (energy[i] > 1.25 * mean || energy[i] < 0.75 * mean) steady = time[i] }
-      printf " %16.2f %16.1f %16d\n", steady, peak / 1e3, all - left }' $way.log
 done

@@ -75,14 +75,15 @@ study() {
     echo $(($(date +%s) - start)) >"$dir/$variant.seconds"
   done
 
-  printf '%-14s %9s %10s %16s %16s %16s %16s %16s %13s %13s %13s %8s\n' variant particles "step, us" \
+  printf '%-14s %9s %10s %6s %16s %16s %16s %16s %16s %13s %13s %13s %8s\n' variant particles "step, us" path \
     "plate behind" "trailing face" "top" "leading face" "plate before" "power, kW" "shoulder" "toe" "hits, kW"
   for variant in "$@"; do
     run=$dir/$variant
     $millwear wear "$dir/$variant.toml" --out "$run" --csv "$dir/$variant.csv" --quiet >/dev/null
-    printf '%-14s %9s %10.0f' "$variant" \
+    printf '%-14s %9s %10.0f %6.2f' "$variant" \
       "$(awk '/ atoms$/ { print $1 }' "$run/cycle_000/mix/charge.data")" \
-      "$(awk '/^timestep/ { print 1e6 * $2 }' "$run/cycle_000/mix/contact_model.in")"
+      "$(awk '/^timestep/ { print 1e6 * $2 }' "$run/cycle_000/mix/contact_model.in")" \
+      "$(awk '/"path_over_slip"/ { getline; print $1 }' "$run/results/summary.json")"
     zones "$run" "$dir/$variant.csv"
     awk -F, -v slice="$(awk '/^slice_length_m/ { print $3 }' "$dir/$variant.toml")" '
       NR == 2 { for (i = 1; i <= NF; i++) at[$i] = i }

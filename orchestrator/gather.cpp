@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 #include "mill/case_warnings.h"
 #include "mill/time_step.h"
@@ -15,6 +14,7 @@
 #include "orchestrator/motion_of_cycle.h"
 #include "orchestrator/shaking_warning.h"
 #include "orchestrator/uncertainty.h"
+#include "wear/block_means.h"
 #include "wear/block_persistence.h"
 #include "wear/load_carrier.h"
 #include "wear/load_rate.h"
@@ -115,19 +115,8 @@ HistoryRow row_of(const Campaign& campaign, const LinerProfile& liner, const Mea
 
 /// The power of a cycle by blocks of its measurement.
 PowerSeries power_of_cycle(int cycle, const Measured& measured, int blocks) {
-  PowerSeries series{cycle, {}, {}};
-  const std::size_t length = measured.power_series.size() / static_cast<std::size_t>(blocks);
-  for (int b = 0; b < blocks && length > 0; ++b) {
-    const auto first = static_cast<std::ptrdiff_t>(length) * b;
-    const auto last = first + static_cast<std::ptrdiff_t>(length);
-    const auto mean = [&](const std::vector<double>& values) {
-      return std::accumulate(values.begin() + first, values.begin() + last, 0.0) /
-             static_cast<double>(length);
-    };
-    series.time.push_back(mean(measured.power_times));
-    series.power.push_back(mean(measured.power_series));
-  }
-  return series;
+  return {cycle, as_vector(wear::block_means(measured.power_times, blocks)),
+          as_vector(wear::block_means(measured.power_series, blocks))};
 }
 
 /// Adds what a cycle left to the report, but for what is not known of it: that is returned.

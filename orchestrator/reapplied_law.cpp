@@ -9,6 +9,7 @@
 #include "orchestrator/kept_campaign.h"
 #include "orchestrator/measured.h"
 #include "orchestrator/stages.h"
+#include "wear/block_means.h"
 #include "wear/block_persistence.h"
 #include "wear/load_accumulator.h"
 #include "wear/load_rate.h"

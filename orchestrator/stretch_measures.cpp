@@ -9,6 +9,7 @@
 #include "liggghts_inputs/torque_series.h"
 #include "mill/failure.h"
 #include "orchestrator/whole_file.h"
+#include "wear/block_means.h"
 #include "wear/load_accumulator.h"
 #include "wear/load_rate.h"
 #include "wear/smoothing_error.h"
@@ -18,18 +19,10 @@ namespace {
 
 /// Mean of a series and its standard error from `blocks` consecutive parts.
 wear::Estimate mean_by_blocks(const std::vector<double>& series, int blocks) {
-  const double mean =
-      std::accumulate(series.begin(), series.end(), 0.0) / static_cast<double>(series.size());
-  const std::size_t length = series.size() / static_cast<std::size_t>(blocks);
-  if (blocks < 2 || length == 0) return {mean, std::nan("")};
-  double squares = 0.0;
-  for (int b = 0; b < blocks; ++b) {
-    const auto first = series.begin() + static_cast<std::ptrdiff_t>(length) * b;
-    const double block = std::accumulate(first, first + static_cast<std::ptrdiff_t>(length), 0.0) /
-                         static_cast<double>(length);
-    squares += (block - mean) * (block - mean);
-  }
-  return {mean, std::sqrt(squares / (blocks * (blocks - 1.0)))};
+  const double sum = std::accumulate(series.begin(), series.end(), 0.0);
+  const auto means = wear::block_means(series, blocks);
+  return {sum / static_cast<double>(series.size()),
+          means.size() > 0 ? wear::error_of_mean(means.transpose())[0] : std::nan("")};
 }
 
 }  // namespace

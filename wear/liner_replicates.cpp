@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "wear/load_rate.h"
+#include "wear/block_means.h"
 
 namespace millwear::wear {
 namespace {

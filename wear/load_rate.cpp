@@ -1,6 +1,5 @@
 #include "wear/load_rate.h"
 
-#include <cmath>
 #include <utility>
 
 #include "wear/block_persistence.h"
@@ -25,14 +24,6 @@ LoadRate rate_of_load(const Case& mill, const WallLoad& recorded) {
     smooth.moved_share *= raw.sum() / smooth.rate.values.sum();
   }
   return {load, raw.array() + corrosion, by_block.array() + corrosion, std::move(smooth)};
-}
-
-Eigen::VectorXd error_of_mean(const Eigen::MatrixXd& by_block) {
-  const auto blocks = static_cast<double>(by_block.cols());
-  if (by_block.cols() < 2) return Eigen::VectorXd::Constant(by_block.rows(), std::nan(""));
-  const Eigen::VectorXd mean = by_block.rowwise().mean();
-  return ((by_block.colwise() - mean).rowwise().squaredNorm() / (blocks * (blocks - 1.0)))
-      .cwiseSqrt();
 }
 
 }  // namespace millwear::wear

@@ -24,7 +24,4 @@ struct LoadRate {
 /// Throws as `coarsened`, `depth_rate` and `smoothed` do.
 [[nodiscard]] LoadRate rate_of_load(const Case& mill, const WallLoad& recorded);
 
-/// Standard error of the mean over the blocks (columns), by bin; NaN for fewer than two blocks.
-[[nodiscard]] Eigen::VectorXd error_of_mean(const Eigen::MatrixXd& by_block);
-
 }  // namespace millwear::wear

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "wear/block_means.h"
 #include "wear/load_carrier.h"
-#include "wear/load_rate.h"
 #include "wear/profile_index.h"
 
 namespace millwear::wear {

@@ -1,21 +1,23 @@
 # Sourced by the studies: the first load of the 8 m SAG mill, 40 % filled, as the desktop case has it
 # but for what a study varies. The study defines `settings NAME`, which sets what differs from
-# `standard`, and calls `study DIR NAME...`, which runs what is missing in DIR and prints the table.
+# `standard`, and calls `study DIR NAME...`, which runs what is missing in DIR and prints the table, or
+# `run_missing DIR NAME...` alone.
 here=$(cd "$(dirname "$0")/../.." && pwd)
 desktop=$here/cases/seed_mill_8m_desktop
 millwear=${MILLWEAR:-$here/build/release/millwear}
 
 # cut [m], whether rocks of 180 and 122 mm stay, softening of steel and of ore, grain size, slice [m],
-# share of the Rayleigh time, seed, revolutions mixed and measured, speed [rpm], and a measured profile
-# in place of the new lifter
+# share of the Rayleigh time, seed, revolutions mixed and measured, speed [rpm], a measured profile in
+# place of the new lifter, and the greatest number of loads
 standard() {
+  cycles=1
   cut=0.063 rocks=no steel=400 ore=100 grain=1 slice=0.25 rayleigh=0.3 seed=1 mix=0.9 measure=0.5 speed=11.4 profile=""
 }
 
 case_of() {
   awk -v name="$1" -v cut="$cut" -v rocks="$rocks" -v steel="$steel" -v ore="$ore" -v grain="$grain" -v slice="$slice" \
       -v rayleigh="$rayleigh" -v seed="$seed" -v mix="$mix" -v measure="$measure" -v speed="$speed" \
-      -v profile="$profile" '
+      -v profile="$profile" -v cycles="$cycles" '
     function scaled(line,   n, part, i, text) {
       n = split(line, part, /, */); text = ""
       for (i = 1; i <= n; i++) text = text (i > 1 && part[i] != "" ? ", " : "") (part[i] != "" ? part[i] * grain : "")
@@ -40,7 +42,7 @@ case_of() {
     /^mix_revolutions/ { print "mix_revolutions =", mix "\nseed = " seed "\nranks = 1"; next }
     /^measure_revolutions/ { print "measure_revolutions =", measure; next }
     /^pair_revolutions/ { print "pair_revolutions = 0"; next }
-    /^cycle_limit/ { print "cycle_limit = 1"; next }
+    /^cycle_limit/ { print "cycle_limit =", cycles; next }
     /^tune/ { next }
     { print }' "$desktop/case.toml"
 }
@@ -62,7 +64,17 @@ zones() {
   ' "$1/cycle_000/mesh/profile.csv" "$2"
 }
 
-study() {
+# The first kept profile of a campaign's RESULTS that is as low as HEIGHT_MM, as a profile's file.
+profile_at() {
+  awk -F, -v height="$2" '
+    FNR == NR { if (/^[0-9]/) above[$1, $2] = 1e3 * $5; next }
+    FNR == 1 { print "# millwear profile 1\nxi_m,eta_m" }
+    /^[0-9]/ && !found && above[$1, $2] <= height { found = 1; cycle = $1; step = $2 }
+    found && $1 == cycle && $2 == step { print $5 "," $6 }
+  ' "$1/history.csv" "$1/profiles.csv"
+}
+
+run_missing() {
   dir=$1; shift
   mkdir -p "$dir"
   for variant in "$@"; do
@@ -74,7 +86,11 @@ study() {
       { tail -3 "$dir/$variant.log" >&2; exit 1; }
     echo $(($(date +%s) - start)) >"$dir/$variant.seconds"
   done
+}
 
+study() {
+  run_missing "$@"
+  dir=$1; shift
   printf '%-14s %9s %10s %6s %16s %16s %16s %16s %16s %13s %13s %13s %8s\n' variant particles "step, us" path \
     "plate behind" "trailing face" "top" "leading face" "plate before" "power, kW" "shoulder" "toe" "hits, kW"
   for variant in "$@"; do

@@ -7,14 +7,7 @@ set -eu
 dir=$1 results=$2 height=$3; shift 3
 . "$(dirname "$0")/first_load.sh"
 mkdir -p "$dir"
-
-# The first kept profile that is as low as that.
-awk -F, -v height="$height" '
-  FNR == NR { if (/^[0-9]/) above[$1, $2] = 1e3 * $5; next }
-  FNR == 1 { print "# millwear profile 1\nxi_m,eta_m" }
-  /^[0-9]/ && !found && above[$1, $2] <= height { found = 1; cycle = $1; step = $2 }
-  found && $1 == cycle && $2 == step { print $5 "," $6 }
-' "$results/history.csv" "$results/profiles.csv" >"$dir/worn_profile.csv"
+profile_at "$results" "$height" >"$dir/worn_profile.csv"
 
 settings() {
   profile=worn_profile.csv

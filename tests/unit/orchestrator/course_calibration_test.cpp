@@ -272,7 +272,7 @@ TEST(SeedMill, ItsStraightLineIsOffByFiveMillimetres) {
 }
 
 // The run that is kept: its history and replicates are real, and so is what comes of them.
-TEST(SeedMill, TheKeptCampaignPredictsBetterThanTheStraightLine) {
+TEST(SeedMill, TheKeptCampaignHasTheReadingsInItsBandAndIsNoBetterThanTheLine) {
   const auto folder = cases / "seed_mill_8m_desktop";
   const Case seed = read_case(folder / "case.toml");
   const auto found =
@@ -280,10 +280,10 @@ TEST(SeedMill, TheKeptCampaignPredictsBetterThanTheStraightLine) {
                         {read_history_csv(folder / "reference" / "history.csv"),
                          read_replicates_csv(folder / "reference" / "replicates.csv")},
                         needed_readings_in(folder / "gauge", seed), {*seed.gauge.calibrate_until});
-  EXPECT_NEAR(found.factor.value, 1.604, 5e-4);
+  EXPECT_NEAR(found.factor.value, 1.910, 5e-4);
   EXPECT_EQ(found.held_out, 3);
-  EXPECT_NEAR(found.rms, 2.76e-3, 0.01e-3);
-  EXPECT_LT(found.rms, found.line_rms);
+  EXPECT_NEAR(found.rms, 6.78e-3, 0.01e-3);
+  EXPECT_GT(found.rms, found.line_rms);
   for (const auto& reading : found.readings) {
     EXPECT_LE(reading.predicted.band.low, *reading.height);
     EXPECT_GE(reading.predicted.band.high, *reading.height);

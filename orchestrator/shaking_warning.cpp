@@ -15,8 +15,8 @@ std::optional<std::string> shaking_warning(const std::vector<Conservation>& cycl
   if (worst == cycles.end() || path(*worst) <= longest_path_over_slip) return std::nullopt;
   return fmt::format(
       "cycle {}: at the limit of friction contacts went {:.1f} times as far as they slid, for "
-      "jammed particles shake: the time step is too long for them, and the loss may be a quarter "
-      "too large; halve `rayleigh_fraction` to see",
+      "jammed particles shake: the time step is too long for them, and the loss may be up to "
+      "a quarter too large; halve `rayleigh_fraction` to see",
       worst->cycle, worst->path_over_slip);
 }
 

@@ -8,8 +8,8 @@
 namespace millwear::orchestrator {
 
 /// Path over slip above which the time step is too long for jammed particles. Where the whole
-/// liner's was 1.2 its load was that of half the time step, where it was 2.7 a quarter more
-/// (docs/physics.md, "Particles that shake").
+/// liner's was 1.2 its load was that of half the time step, where it was 2.1 it was 7 +- 5 % more,
+/// where it was 2.7 a quarter (docs/physics.md, "Particles that shake").
 inline constexpr double longest_path_over_slip = 1.5;
 
 /// What to keep in mind of the cycle in which particles shook most; nothing where they did not, or

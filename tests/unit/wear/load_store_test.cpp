@@ -1,6 +1,5 @@
 #include "wear/load_store.h"
 
-#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <hdf5.h>
@@ -180,7 +179,7 @@ TEST_F(LoadStore, RefusesAnotherVersion) {
     static_cast<void>(read_load(file));
     FAIL() << "read a file of a newer version";
   } catch (const ResultRejected& refused) {
-    EXPECT_THAT(refused.what(), testing::HasSubstr(fmt::format("version {}", load_format_version)));
+    EXPECT_THAT(refused.what(), testing::HasSubstr("version 5"));
   }
 }
 

@@ -62,13 +62,13 @@ void deck_verb(const Command& command) {
   write_measuring_deck(campaign, 0, folder_of(StageKind::dem));
   write_file(campaign.folder.locked_case(), locked_case_text(mill));
   print_folder(command, campaign.folder.root, "the decks (cycle_000/mix, then cycle_000/dem) are");
-  if (command.form == OutputForm::json) return;
-  if (mill.dem.mix_until_steady)
-    fmt::print("cycle_000/mix is run by: mpirun -np {} millwear-recorder {} --in deck.in\n",
-               campaign.ranks, fmt::join(mixing_arguments(mill), " "));
-  if (mill.dem.contact_path == ContactPath::recorder)
-    fmt::print("cycle_000/dem is measured by: mpirun -np {} millwear-recorder --in deck.in {}\n",
-               campaign.ranks, fmt::join(recorder_arguments(mill), " "));
+  if (command.form == OutputForm::json || mill.dem.contact_path != ContactPath::recorder) return;
+  const auto mixing =
+      mill.dem.mix_until_steady ? mixing_arguments(mill) : std::vector<std::string>{"run"};
+  fmt::print(
+      "cycle_000/mix is run by: mpirun -np {0} millwear-recorder {1} --in deck.in\n"
+      "cycle_000/dem is measured by: mpirun -np {0} millwear-recorder --in deck.in {2}\n",
+      campaign.ranks, fmt::join(mixing, " "), fmt::join(recorder_arguments(mill), " "));
 }
 
 }  // namespace millwear::orchestrator

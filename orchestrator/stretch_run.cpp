@@ -130,6 +130,11 @@ std::filesystem::path recorder_program() {
   }
 }
 
+std::optional<RecorderProgram> unrecorded_program(ContactPath path) {
+  if (path == ContactPath::dumps) return std::nullopt;
+  return RecorderProgram{recorder_program(), {"run"}};
+}
+
 void check_liggghts_is_installed(ContactPath path) {
   static_cast<void>(mpirun_command(1));
   static_cast<void>(program_on_path("liggghts", "liggghts"));

@@ -34,6 +34,11 @@ struct DumpPipe {
 /// The recorder beside this program, or on PATH. Throws ExternalProgramError where it is missing.
 [[nodiscard]] std::filesystem::path recorder_program();
 
+/// What runs a deck of which nothing is recorded: the recorder, whose search for neighbours is the
+/// faster, or the plain liggghts (none) where the case wants that. Either ends in the same bits.
+/// Throws as `recorder_program` does.
+[[nodiscard]] std::optional<RecorderProgram> unrecorded_program(ContactPath path);
+
 /// Throws ExternalProgramError if mpirun, liggghts (naming the Debian package) or, where the case
 /// wants it, the recorder is missing.
 void check_liggghts_is_installed(ContactPath path);

@@ -223,7 +223,9 @@ void mix_stage(const Campaign& campaign, int cycle, const fs::path& into, Progre
   check_free_disk(campaign.mill, steps, into);
   write_mixing_deck(campaign, cycle, into);
   if (campaign.mill.dem.mix_until_steady) return mix_until_steady(campaign, cycle, into, progress);
-  run_liggghts({into, campaign.ranks, step_follower({cycle, StageKind::mix}, steps, progress)}, {});
+  run_liggghts({into, campaign.ranks, step_follower({cycle, StageKind::mix}, steps, progress),
+                unrecorded_program(campaign.mill.dem.contact_path)},
+               {});
   check_stretch(campaign, cycle, steps, into);
 }
 

@@ -51,7 +51,8 @@ void time_piece(const TrialBench& bench, DeckTrial& trial) {
   write_file(bench.folder / names::deck,
              liggghts::trial_deck(mill, bench.steps, fmt::format("../mix/{}", names::restart),
                                   bench.campaign.ranks));
-  run_liggghts({bench.folder, bench.campaign.ranks, {}}, {});
+  run_liggghts({bench.folder, bench.campaign.ranks, {}, unrecorded_program(mill.dem.contact_path)},
+               {});
   const fs::path log = bench.folder / names::log;
   const std::string printed = read_file(log);
   liggghts::check_stretch_log(printed, log.string(),

@@ -111,7 +111,7 @@ void make_charge(Campaign campaign, Progress& progress) {
 
 void tune_verb(const Command& command) {
   const Case mill = read_case(command.case_file);
-  check_liggghts_is_installed(ContactPath::dumps);
+  check_liggghts_is_installed(mill.dem.contact_path);
   const RunFolder source{command.out.empty() ? fs::path("runs") / mill.name : command.out};
   const auto kept = mixed_part(source);
   std::optional<RunLock> lock;

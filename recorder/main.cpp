@@ -5,12 +5,15 @@
 #include <liggghts/universe.h>
 #include <mpi.h>
 
+#include <algorithm>
+#include <array>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "liggghts_build.h"
@@ -21,7 +24,9 @@
 #include "recorder/deck_run.h"
 #include "recorder/leak_check.h"
 #include "recorder/mixing_options.h"
+#include "recorder/neighbours_by_size.h"
 #include "recorder/recording_plan.h"
+#include "recorder/run_options.h"
 #include "recorder/steady_mixing_run.h"
 #include "recorder/stretch_recorder.h"
 
@@ -37,6 +42,7 @@ std::unique_ptr<LAMMPS_NS::LAMMPS> start_liggghts() {
   auto liggghts = std::make_unique<LAMMPS_NS::LAMMPS>(static_cast<int>(arguments.size()),
                                                       arguments.data(), MPI_COMM_WORLD);
   check_build(liggghts_build, liggghts->universe->version);
+  find_neighbours_by_size(*liggghts);
   return liggghts;
 }
 
@@ -118,6 +124,12 @@ void mix(const std::vector<std::string>& arguments) {
   mix_until_steady(*start_liggghts(), options);
 }
 
+void only_run(const std::vector<std::string>& arguments) {
+  const auto deck = deck_option(arguments);
+  const auto liggghts = start_liggghts();
+  run_deck(*liggghts, deck, [&](const std::string& line) { liggghts->input->one(line.c_str()); });
+}
+
 /// Like LIGGGHTS itself: a run that is told to stop ends with its step.
 void heed_signals() {
   struct sigaction action = {};
@@ -133,13 +145,30 @@ void heed_signals() {
   std::abort();
 }
 
+/// What the program does with the words behind a verb, and what it says of it.
+struct Verb {
+  std::string_view name;  ///< none: it records
+  void (*act)(const std::vector<std::string>& arguments);
+  std::string (*help)();
+};
+
+constexpr Verb recording = {"", record, recording_help};
+constexpr std::array<Verb, 2> named_verbs = {
+    {{"mix", mix, mixing_help}, {"run", only_run, run_help}}};
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::vector<std::string> arguments(argv + 1, argv + argc);
-  const bool mixes = !arguments.empty() && arguments.front() == "mix";
+  std::vector<std::string> arguments(argv + 1, argv + argc);
+  Verb verb = recording;
+  if (!arguments.empty())
+    if (const auto named = std::ranges::find(named_verbs, arguments.front(), &Verb::name);
+        named != named_verbs.end()) {
+      verb = *named;
+      arguments.erase(arguments.begin());
+    }
   if (!arguments.empty() && arguments.back() == "--help") {
-    fmt::print("{}", mixes ? mixing_help() : recording_help());
+    fmt::print("{}", verb.help());
     return 0;
   }
   heed_signals();
@@ -148,10 +177,7 @@ int main(int argc, char** argv) {
     MPI_Init(&argc, &argv);
   }
   try {
-    if (mixes)
-      mix({arguments.begin() + 1, arguments.end()});
-    else
-      record(arguments);
+    verb.act(arguments);
   } catch (const Failure& failure) {
     give_up(failure.what(), failure.exit_code);
   } catch (const std::exception& problem) {

@@ -12,14 +12,12 @@
 #include <vector>
 
 #include "mill/failure.h"
+#include "recorder/private_member.h"
 
 namespace millwear::recorder {
 
 // LIGGGHTS keeps a mesh's modules in two private members, and makes them from the style's name
-// alone. The standard lets an explicit instantiation name private members (C++20, 13.9.3/6), so
-// these two give us pointers to them.
-namespace {
-
+// alone.
 using LAMMPS_NS::FixMeshSurface;
 using LAMMPS_NS::MeshModule;
 
@@ -31,14 +29,8 @@ struct Order {
   using Type = std::vector<std::string> FixMeshSurface::*;
   friend Type member(Order);
 };
-template <class Tag, typename Tag::Type pointer>
-struct Reach {
-  friend typename Tag::Type member(Tag) { return pointer; }
-};
 template struct Reach<Modules, &FixMeshSurface::active_mesh_modules>;
 template struct Reach<Order, &FixMeshSurface::mesh_module_order>;
-
-}  // namespace
 
 FixMeshSurface& the_mesh(LAMMPS_NS::LAMMPS& liggghts) {
   std::vector<FixMeshSurface*> meshes;

@@ -43,10 +43,11 @@ library HDF5 "hdf5|H5" wear/hdf5_file.cpp wear/load_read.cpp wear/load_write.cpp
 library Clipper "polyclipping/|clipper" wear/steel_cut.cpp wear/area_between.cpp
 library toml++ "toml" mill/case_document.cpp
 library CLI11 "CLI/" orchestrator/command_line.cpp recorder/mixing_options.cpp \
-  recorder/option_parsing.cpp recorder/recording_plan.cpp
+  recorder/option_parsing.cpp recorder/recording_plan.cpp recorder/run_options.cpp
 library LIGGGHTS "liggghts/" recorder/charge_census.cpp recorder/deck_run.cpp recorder/main.cpp recorder/mesh_hook.cpp \
-  recorder/pair_contacts.cpp recorder/steady_mixing_run.cpp \
-  recorder/stretch_recorder.cpp recorder/wall_module.cpp recorder/wall_module.h
+  recorder/neighbours_by_size.cpp recorder/pair_contacts.cpp recorder/particle_neighbours.cpp \
+  recorder/particle_neighbours.h recorder/steady_mixing_run.cpp recorder/stretch_recorder.cpp \
+  recorder/wall_module.cpp recorder/wall_module.h recorder/wall_neighbours.cpp
 library MPI "mpi\.h" recorder/main.cpp recorder/rank_exchange.h \
   recorder/steady_mixing_run.cpp recorder/stretch_recorder.h
 

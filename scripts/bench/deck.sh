@@ -1,7 +1,7 @@
 #!/bin/sh
 # What the deck's settings are worth, on the seed mill as printed (26,765 particles): from the deck
-# that one writes first (a mesh of 100 facets a pitch, `processors 2 1 1`, skin 10 mm, `epsd2`) to the
-# one that millwear writes, one change at a time; as the charge is packed, and once it is thrown. All
+# that one writes first (a mesh of 100 facets a pitch, `processors 2 1 1`, skin 10 mm, `epsd2`, run by
+# liggghts) to the one that millwear writes and runs, one change at a time; as the charge is packed, and once it is thrown. All
 # decks go on from the same charge; they take turns, so that what else the machine does hits all alike.
 #   scripts/bench/deck.sh [rounds] [steps] [ranks]      idle machine, a core a rank, an even number
 set -eu
@@ -46,7 +46,7 @@ sed "s/^run .*/dump end all custom $fall end.dump id type radius density x y z v
 dump_modify end first no sort id format \"%d %d %.9g %.9g %.12g %.12g %.12g %.9g %.9g %.9g %.9g %.9g %.9g\"\\
 run $fall/" deck.in >fly.in
 echo "$fall steps on $ranks ranks until the charge is thrown"
-$mpi liggghts -in fly.in -log none >log
+$mpi "$recorder" run --in fly.in >log
 { sed '/^Atoms/,$d' charge.data
   for part in Atoms Velocities; do
     printf '\n%s\n\n' $part
@@ -61,12 +61,12 @@ for state in packed thrown; do
   awk '/xlo xhi$/ { $1 = -$2 } { print }' $state.data >${state}_even.data
 done
 
-# deck NAME MESH CHARGE GRID SKIN ROLLING
+# deck NAME MESH CHARGE GRID ROLLING SKIN
 deck() {
   mkdir -p "$work/$1"
-  sed -e "s|file [^ ]*\.stl|file $2|" -e "s/rolling_friction [a-z0-9]*/rolling_friction $6/" \
+  sed -e "s|file [^ ]*\.stl|file $2|" -e "s/rolling_friction [a-z0-9]*/rolling_friction $5/" \
     contact_model.in >"$work/$1/contact_model.in"
-  sed -e "s/^processors .*/processors $4/" -e "s/^neighbor .*/neighbor $5 bin/" \
+  sed -e "s/^processors .*/processors $4/" -e "s/^neighbor .*/neighbor $6 bin/" \
     -e "s|^read_data .*|read_data $ours/mix/$3|" -e "/^write_restart/d" \
     -e "s/^run .*/run 100\\nrun $steps/" deck.in >"$work/$1/deck.in"
 }
@@ -74,22 +74,31 @@ mesh=$ours/mesh/liner.stl
 skin=$(awk '/^neighbor/ { print $2 }' deck.in)
 rolling=$(sed -n 's/.*rolling_friction \([a-z0-9]*\).*/\1/p' contact_model.in | tail -1)
 grid=$(awk '/^processors/ { print $2, $3, $4 }' deck.in)
-decks="first mesh middle split skin ours"
+decks="first mesh middle split rolling search ours"
 
 write_decks() {
-  deck first  "$work/fine.stl" "$1_even.data" "$ranks 1 1" 0.010 epsd2
-  deck mesh   "$mesh"          "$1_even.data" "$ranks 1 1" 0.010 epsd2
-  deck middle "$mesh"          "$1.data"      "2 * 1"      0.010 epsd2
-  deck split  "$mesh"          "$1.data"      "$grid"      0.010 epsd2
-  deck skin   "$mesh"          "$1.data"      "$grid"      "$skin" epsd2
-  deck ours   "$mesh"          "$1.data"      "$grid"      "$skin" "$rolling"
+  deck first   "$work/fine.stl" "$1_even.data" "$ranks 1 1" epsd2      0.010
+  deck mesh    "$mesh"          "$1_even.data" "$ranks 1 1" epsd2      0.010
+  deck middle  "$mesh"          "$1.data"      "2 * 1"      epsd2      0.010
+  deck split   "$mesh"          "$1.data"      "$grid"      epsd2      0.010
+  deck rolling "$mesh"          "$1.data"      "$grid"      "$rolling" 0.010
+  deck search  "$mesh"          "$1.data"      "$grid"      "$rolling" 0.010
+  deck ours    "$mesh"          "$1.data"      "$grid"      "$rolling" "$skin"
+}
+
+# run_deck NAME: millwear's own program from where its search for neighbours comes in
+run_deck() {
+  case $1 in
+    search | ours) $mpi "$recorder" run --in deck.in >log ;;
+    *) $mpi liggghts -in deck.in -log none >log ;;
+  esac
 }
 
 take_turns() {
   for round in $(seq "$rounds"); do
     line=""
     for name in $decks; do
-      (cd "$work/$name" && $mpi liggghts -in deck.in -log none >log)
+      (cd "$work/$name" && run_deck "$name")
       line="$line $(loop_seconds "$work/$name/log")"
     done
     echo "$line" >>"$1"
@@ -118,6 +127,7 @@ for state in packed thrown; do
   row "$times" 2 "+ mesh as coarse as the shape allows"
   row "$times" 3 "+ the charge cut in its middle"
   row "$times" 4 "the case's split instead: $grid"
-  row "$times" 5 "+ skin of $skin m"
-  row "$times" 6 "+ rolling friction by $rolling"
+  row "$times" 5 "+ rolling friction by $rolling"
+  row "$times" 6 "+ neighbours by size"
+  row "$times" 7 "+ skin of $skin m"
 done

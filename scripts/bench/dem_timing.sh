@@ -1,11 +1,13 @@
 # Sourced by the benchmarks of LIGGGHTS's speed, from the project's folder with $ranks set. Builds
-# millwear and leaves: $work, a folder that goes when the script ends; $millwear; $mpi, the launch.
+# millwear and leaves: $work, a folder that goes when the script ends; $millwear; $recorder, which runs
+# LIGGGHTS with its search for neighbours by size; $mpi, the launch.
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 root=""; [ "$(id -u)" -ne 0 ] || root=--allow-run-as-root
 mpi="mpirun -np $ranks --bind-to none $root"
 make -s build >&2
 millwear=$PWD/build/release/millwear
+recorder=$millwear-recorder
 
 # The median of the numbers that come in, one a line.
 median() { sort -g | awk '{ v[NR] = $1 } END { print (v[int((NR + 1) / 2)] + v[int(NR / 2) + 1]) / 2 }'; }

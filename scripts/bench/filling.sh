@@ -22,7 +22,7 @@ sed 's/^read_data .*/read_data falling.data/' deck.in >falling.in
 
 printf '%-24s %16s %16s %16s %8s\n' "" "steady after, s" "peak energy, kJ" "particles lost" "wall, s"
 for way in deck falling; do
-  $mpi liggghts -in $way.in -log none >$way.log
+  $mpi "$recorder" run --in $way.in >$way.log
   [ $way = deck ] && printf '%-24s' "packed low" || printf '%-24s' "falling from the top"
   awk -v step="$step" '
     NF == 5 && $1 ~ /^[0-9]+$/ && $2 ~ /^[0-9]+$/ { n++; time[n] = $1 * step; energy[n] = $3; if (n == 1) all = $2; left = $2 }

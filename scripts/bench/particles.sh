@@ -17,7 +17,7 @@ charge() {
   mix=$work/$1/cycle_000/mix
   fall=$(echo "$fall_s $(time_step "$mix")" | awk '{ print int($1 / $2) }')
   sed -e "s/^run .*/run $fall/" -e "s/^thermo  .*/thermo 1000/" "$mix/deck.in" >"$mix/fall.in"
-  (cd "$mix" && $mpi liggghts -in fall.in -log none >log)
+  (cd "$mix" && $mpi "$recorder" run --in fall.in >log)
   sed -e "s|^read_data .*|read_restart charge.restart|" -e "s/^run .*/run 20\\nrun 200/" \
     -e "s/^thermo  .*/thermo 1000/" -e "/^write_restart/d" "$mix/deck.in" >"$mix/timed.in"
 }
@@ -32,7 +32,7 @@ charge cut22 0.022 0.40 0.149
 for round in $(seq "$rounds"); do
   for name in $charges; do
     mix=$work/$name/cycle_000/mix
-    (cd "$mix" && $mpi liggghts -in timed.in -log none >log)
+    (cd "$mix" && $mpi "$recorder" run --in timed.in >log)
     awk '/^Loop time of/ { t = $4; steps = $9; n = $12 } /^Memory usage per processor/ { memory = $6 }
       END { print n, steps / t, memory }' "$mix/log" >>"$work/$name.times"
   done

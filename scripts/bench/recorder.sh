@@ -1,6 +1,6 @@
 #!/bin/sh
-# What recording costs: the seed mill as printed (26,765 particles), the same deck by turns with the
-# plain liggghts, with the recorder, and with the recorder writing a row a collision. Prints each
+# What recording costs: the seed mill as printed (26,765 particles), the same deck by turns run
+# alone, recorded, and recorded with a row a collision, all by the same program. Prints each
 # round and ends with the ratios of the run times and the seconds that writing the results takes.
 #   scripts/bench/recorder.sh [rounds] [steps] [ranks]      idle machine, a core a rank
 set -eu
@@ -16,9 +16,8 @@ awk -v settle=$settle -v steps="$steps" '/^run/ { n++; if (n == 1) print "run", 
   if (n == 2) print "run", steps; next } /^# \.\.\. and from here/ { next } { print }' "$deck" >"$deck.short"
 
 echo "mixing $mixing steps on $ranks ranks"
-(cd "$work/cycle_000/mix" && $mpi liggghts -in deck.in -log none >log)
+(cd "$work/cycle_000/mix" && $mpi "$recorder" run --in deck.in >log)
 
-recorder=$PWD/build/release/millwear-recorder
 case=$PWD/cases/seed_mill_8m/case.toml
 record="$recorder --in deck.in.short --case $case --liner ../mesh/profile.csv --load load.h5
   --after $settle --until $((settle + steps))"
@@ -33,7 +32,7 @@ timed() {
 
 echo "round: seconds of $steps steps plain, recorded, with events; load $(cut -d' ' -f1 /proc/loadavg)"
 for round in $(seq "$rounds"); do
-  plain=$(timed liggghts -in deck.in.short -log none)
+  plain=$(timed "$recorder" run --in deck.in.short)
   recorded=$(timed $record)
   events=$(timed $record --events events.h5)
   echo "$round $plain $recorded $events" | tee -a "$work/times" |

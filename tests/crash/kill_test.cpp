@@ -195,7 +195,7 @@ TEST_P(Lost, IsSeenAndTheStageRunsAgain) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Crash, Lost,
-                         testing::Values(Loss{"liggghts", "cycle_000/mix"},
+                         testing::Values(Loss{recorder_comm, "cycle_000/mix"},
                                          Loss{recorder_comm, "cycle_002/dem"},
                                          Loss{"mpirun", "cycle_002/dem"}),
                          [](const auto& tested) { return std::to_string(tested.index); });

@@ -15,16 +15,16 @@ using liggghts::StretchSteps;
 
 class RecordedMill : public ::testing::Test {
  protected:
+  explicit RecordedMill(const Case& mill = small_mill(ContactPath::recorder)) : mill_(mill) {}
+
   void SetUp() override {
     if (!liggghts_is_installed()) GTEST_SKIP() << "liggghts or mpirun is not installed";
     mix(mill_, {plan_.time_step, 2 * plan_.steps_per_pitch, 0, 20}, scratch_.stage("mix"), 1);
   }
 
-  [[nodiscard]] std::string restart_of(const std::string& stage) const {
-    return text_of(scratch_.stage(stage) / liggghts::file_names::restart);
-  }
+  void expect_same_bits(const StretchSteps& steps);
 
-  Case mill_ = small_mill(ContactPath::recorder);
+  Case mill_;
   const StepPlan plan_ = plan_steps(mill_);
   const ScratchFolder scratch_;
 };
@@ -43,18 +43,37 @@ void add_final_dump(const std::filesystem::path& folder) {
   write_text(deck, text);
 }
 
+void RecordedMill::expect_same_bits(const StretchSteps& steps) {
+  const auto plain = scratch_.stage(fmt::format("plain{}", steps.pair_steps));
+  const auto recorded = scratch_.stage(fmt::format("recorded{}", steps.pair_steps));
+  measure(mill_, steps, mill_.liner, plain, "mix", 0, 2, add_final_dump);
+  record(mill_, steps, mill_.liner, recorded, "mix", 2, add_final_dump);
+  EXPECT_GT(text_of(plain / "last.dump").size(), 10000u);
+  EXPECT_TRUE(text_of(plain / "last.dump") == text_of(recorded / "last.dump")) << steps.pair_steps;
+}
+
 // The recorder changes nothing: with it and without, two ranks end in the same particles to the
 // last bit, also where it keeps the forces between particles.
 TEST_F(RecordedMill, EndsInTheSameBitsAsWithoutTheRecorder) {
-  for (const long pair_steps : {0L, 1000L}) {
-    const StretchSteps steps{plan_.time_step, 500, 2500, 1, pair_steps};
-    const auto plain = scratch_.stage(fmt::format("plain{}", pair_steps));
-    const auto recorded = scratch_.stage(fmt::format("recorded{}", pair_steps));
-    measure(mill_, steps, mill_.liner, plain, "mix", 0, 2, add_final_dump);
-    record(mill_, steps, mill_.liner, recorded, "mix", 2, add_final_dump);
-    EXPECT_GT(text_of(plain / "last.dump").size(), 10000u);
-    EXPECT_TRUE(text_of(plain / "last.dump") == text_of(recorded / "last.dump")) << pair_steps;
+  for (const long pair_steps : {0L, 1000L})
+    expect_same_bits({plan_.time_step, 500, 2500, 1, pair_steps});
+}
+
+/// The small mill with particles of 6 mm between its balls of 30: its neighbours lie in grids of
+/// three octaves.
+class RecordedMillOfManySizes : public RecordedMill {
+ protected:
+  static Case mill() {
+    Case mill = small_mill(ContactPath::recorder);
+    mill.charge.classes.push_back({0, 0.012, 100});
+    mill.charge.classes.push_back({0, 0.006, 600});
+    return mill;
   }
+  RecordedMillOfManySizes() : RecordedMill(mill()) {}
+};
+
+TEST_F(RecordedMillOfManySizes, EndsInTheSameBitsAsWithoutTheRecorder) {
+  expect_same_bits({plan_.time_step, 500, 2500, 1});
 }
 
 // The dumps and the recorder on the same run, both every 20 steps and without damping, which the

@@ -3,14 +3,14 @@
 # at 22 to 63 mm, with its largest rocks, with harder and softer contacts, with larger grains, with a
 # wider slice, and with other dice. One rank each; power and hits are of 0.25 m of the mill.
 #   scripts/studies/how_much_dem.sh DIR [VARIANT...]      runs what is missing in DIR, prints the table
-# The four `early` ones differ in their cut alone: softened four times more, mixed for 0.4 revolutions
-# and measured for 0.15 (0.8 s; the paper took 0.5 s), so that the finest is a matter of an hour or two.
+# The `early` ones are softened four times more and mixed for 0.4 revolutions only, so that the finest cut is
+# a matter of an hour or two: to be held against each other.
 # docs/how_much_dem.md has the result.
 set -eu
-all="base other_seed rocks stiff soft soft10 step15 soft_step15 wide grain14 cut45 early63 early45 early31 early22"
+all="base other_seed rocks stiff soft soft10 step15 soft_step15 cut45 early63 early63_wide early45 early45_grain14 early31 early22"
 . "$(dirname "$0")/first_load.sh"
 
-early() { cut=$1 steel=1600 ore=400 mix=0.4 measure=0.15; }
+early() { cut=$1 measure=$2 steel=1600 ore=400 mix=0.4; }
 
 settings() {
   case $1 in
@@ -22,13 +22,13 @@ settings() {
     soft10) steel=4000 ore=1000 ;;
     step15) rayleigh=0.15 ;;
     soft_step15) steel=1600 ore=400 rayleigh=0.15 ;;
-    wide) slice=0.5 ;;
-    grain14) cut=0.045 grain=1.4 slice=0.35 ;;
     cut45) cut=0.045 ;;
-    early63) early 0.063 ;;
-    early45) early 0.045 ;;
-    early31) early 0.0315 ;;
-    early22) early 0.022 ;;
+    early63) early 0.063 0.3 ;;
+    early63_wide) early 0.063 0.3; slice=0.5 ;;
+    early45) early 0.045 0.3 ;;
+    early45_grain14) early 0.045 0.3; grain=1.4 slice=0.35 ;;
+    early31) early 0.0315 0.15 ;;
+    early22) early 0.022 0.15 ;;
     *) echo "how_much_dem.sh: no variant $1; there are $all" >&2; exit 2 ;;
   esac
 }

@@ -74,12 +74,11 @@ mesh=$ours/mesh/liner.stl
 skin=$(awk '/^neighbor/ { print $2 }' deck.in)
 rolling=$(sed -n 's/.*rolling_friction \([a-z0-9]*\).*/\1/p' contact_model.in | tail -1)
 grid=$(awk '/^processors/ { print $2, $3, $4 }' deck.in)
-decks="first mesh middle split rolling search ours"
+decks="first mesh split rolling search ours"
 
 write_decks() {
   deck first   "$work/fine.stl" "$1_even.data" "$ranks 1 1" epsd2      0.010
   deck mesh    "$mesh"          "$1_even.data" "$ranks 1 1" epsd2      0.010
-  deck middle  "$mesh"          "$1.data"      "2 * 1"      epsd2      0.010
   deck split   "$mesh"          "$1.data"      "$grid"      epsd2      0.010
   deck rolling "$mesh"          "$1.data"      "$grid"      "$rolling" 0.010
   deck search  "$mesh"          "$1.data"      "$grid"      "$rolling" 0.010
@@ -125,9 +124,8 @@ for state in packed thrown; do
   printf '%-40s %8s %14s %8s %12s\n' "" steps/s "sim. s an hour" factor "of the last"
   row "$times" 1 "the deck one writes first"
   row "$times" 2 "+ mesh as coarse as the shape allows"
-  row "$times" 3 "+ the charge cut in its middle"
-  row "$times" 4 "the case's split instead: $grid"
-  row "$times" 5 "+ rolling friction by $rolling"
-  row "$times" 6 "+ neighbours by size"
-  row "$times" 7 "+ skin of $skin m"
+  row "$times" 3 "+ ranks split as $grid"
+  row "$times" 4 "+ rolling friction by $rolling"
+  row "$times" 5 "+ neighbours by size"
+  row "$times" 6 "+ skin of $skin m"
 done

@@ -9,8 +9,9 @@ rounds=${1:-3} steps=${2:-200} ranks=${3:-2}
 pitches=5 wider=1.8
 . scripts/bench/dem_timing.sh
 
-# mill NAME CASE: leaves the decks to be timed
+# mill NAME CASE STEPS: leaves the decks to be timed
 mill() {
+  echo "$3" >"$work/$1.steps"
   $millwear deck "$2" --out "$work/$1" --ranks "$ranks" --quiet >/dev/null
   mix=$work/$1/cycle_000/mix
   turn=$(awk -v pitches=$pitches -v rows="$(in_case "$work/$1" rows)" \
@@ -20,16 +21,16 @@ mill() {
   # On a restart the mesh begins anew, under a name of its own.
   (cd "$mix" && sed 's/liner_000_mix/liner_timed/g' contact_model.in >timed_model.in
     sed -e 's|^read_data .*|read_restart charge.restart|' -e 's/contact_model.in/timed_model.in/' \
-      -e 's/liner_000_mix/liner_timed/g' -e '/^write_restart/d' -e "s/^run .*/run 50\\nrun $steps/" deck.in >timed.in
+      -e 's/liner_000_mix/liner_timed/g' -e '/^write_restart/d' -e "s/^run .*/run 50\\nrun $3/" deck.in >timed.in
     awk -v wider=$wider '/^neighbor/ { $2 = wider * $2 } { print }' timed.in >wider.in)
 }
 
 rocks() { sed 's/0.00, 0.00, 0.66,/0.10, 0.10, 0.46,/' cases/seed_mill_8m_desktop/case.toml; }
 rocks >"$work/rocks.toml"
-mill pilot cases/pilot_mill/case.toml
-mill desktop cases/seed_mill_8m_desktop/case.toml
-mill rocks "$work/rocks.toml"
-mill printed cases/seed_mill_8m/case.toml
+mill pilot cases/pilot_mill/case.toml $((50 * steps))
+mill desktop cases/seed_mill_8m_desktop/case.toml "$steps"
+mill rocks "$work/rocks.toml" "$steps"
+mill printed cases/seed_mill_8m/case.toml "$steps"
 
 for round in $(seq "$rounds"); do
   for name in pilot desktop rocks printed; do
@@ -45,7 +46,7 @@ done
 row() {
   printf '%-44s' "$2"
   for k in 1 2 3; do
-    printf ' %12.1f' "$(awk -v k=$k -v steps="$steps" '{ print steps / $k }' "$work/$1.times" | median)"
+    printf ' %12.1f' "$(awk -v k=$k -v steps="$(cat "$work/$1.steps")" '{ print steps / $k }' "$work/$1.times" | median)"
   done
   printf ' %8.2f\n' "$(awk '{ print ($1 < $2 ? $1 : $2) / $3 }' "$work/$1.times" | median)"
 }

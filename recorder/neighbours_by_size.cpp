@@ -11,6 +11,7 @@
 #include "recorder/wall_neighbours.h"
 
 namespace millwear::recorder {
+
 // LIGGGHTS makes the fix of a wall's neighbours by its style's name, from a private table.
 struct FixMakers {
   using Make = LAMMPS_NS::Fix* (*)(LAMMPS_NS::LAMMPS*, int, char**);

@@ -46,11 +46,12 @@ class WallNeighbours : public LAMMPS_NS::FixNeighlistMesh {
   using FixNeighlistMesh::FixNeighlistMesh;
 
   void pre_force(int vflag) override {
+    if (!buildNeighList) return;
     const auto* const particles = dynamic_cast<const ParticleNeighbours*>(neighbor);
     const bool serves = mesh_->isMoving() && !globalNumAllContacts_ && particles != nullptr &&
                         particles->grids_of_this_step() != nullptr;
     if (!serves) return FixNeighlistMesh::pre_force(vflag);
-    if (!std::exchange(buildNeighList, false)) return;
+    buildNeighList = false;
     build_by_size(*particles);
   }
 

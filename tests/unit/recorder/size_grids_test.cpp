@@ -92,8 +92,8 @@ TEST(SizeGrids, ReachBySkinAndStretch) {
   EXPECT_THAT(found_by(SizeGrids(charge.spheres(), {1.0}), 1), IsEmpty());
 }
 
-// A ball of 1 m and one of 0.1 m, each 1.5 m from the box: with a skin of 0.6 m only the first
-// comes that near.
+// The ball of 1 m reaches to 0.5 m from the box, within the skin of 0.6 m; the one of 0.1 m, with
+// its centre 3 m from it, does not.
 TEST(SizeGrids, FindWhatComesNearABox) {
   Charge charge;
   charge.add({0, 0, 2.5}, 1.0);

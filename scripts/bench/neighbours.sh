@@ -1,8 +1,7 @@
 #!/bin/sh
 # What the search for neighbours by size is worth: steps a second of liggghts, with the usual skin and with a
-# wider one (which builds its lists less often), against millwear-recorder, which moves the
-# particles by the same bits. Every
-# mill turns by some pitches first, until its charge is thrown; then all take turns.
+# wider one (which builds its lists less often), against millwear-recorder, which moves the particles by the
+# same bits. Every mill turns by some pitches first, until its charge is thrown; then all take turns.
 #   scripts/bench/neighbours.sh [rounds] [steps] [ranks]      idle machine, a core a rank
 set -eu
 cd "$(dirname "$0")/../.."

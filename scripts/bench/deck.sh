@@ -4,12 +4,11 @@
 # liggghts) to the one that millwear writes and runs, one change at a time; as the charge is packed, and
 # once it is thrown. All decks go on from the same charge; they take turns, so that what else the machine
 # does hits all alike.
-#   scripts/bench/deck.sh [rounds] [steps] [ranks] [pitches]     idle machine, a core a rank, an even number
-# The charge is thrown after 6 pitches and steady after 47, 0.9 revolutions.
+#   scripts/bench/deck.sh [rounds] [steps] [ranks]      idle machine, a core a rank, an even number
 set -eu
 cd "$(dirname "$0")/../.."
 rounds=${1:-5} steps=${2:-300} ranks=${3:-2}
-pitches=${4:-6} # whole ones, for the mesh starts anew
+pitches=6    # until the charge has come down and is thrown; whole ones, for the mesh starts anew
 facets=100   # a pitch, of the first mesh
 case=$PWD/cases/seed_mill_8m/case.toml
 . scripts/bench/dem_timing.sh

@@ -29,6 +29,7 @@
 #include "recorder/run_options.h"
 #include "recorder/steady_mixing_run.h"
 #include "recorder/stretch_recorder.h"
+#include "recorder/touching_pairs.h"
 
 namespace {
 
@@ -43,6 +44,7 @@ std::unique_ptr<LAMMPS_NS::LAMMPS> start_liggghts() {
                                                       arguments.data(), MPI_COMM_WORLD);
   check_build(liggghts_build, liggghts->universe->version);
   find_neighbours_by_size(*liggghts);
+  compute_only_touching_pairs(*liggghts);
   return liggghts;
 }
 

@@ -76,6 +76,43 @@ TEST_F(RecordedMillOfManySizes, EndsInTheSameBitsAsWithoutTheRecorder) {
   expect_same_bits({plan_.time_step, 500, 2500, 1});
 }
 
+/// Rolling friction that keeps its own values in a contact's history, behind those of sliding.
+class RecordedMillWithRollingSprings : public RecordedMill {
+ protected:
+  static Case mill() {
+    Case mill = small_mill(ContactPath::recorder);
+    mill.dem.rolling_friction = RollingFriction::epsd2;
+    return mill;
+  }
+  RecordedMillWithRollingSprings() : RecordedMill(mill()) {}
+};
+
+TEST_F(RecordedMillWithRollingSprings, EndsInTheSameBitsAsWithoutTheRecorder) {
+  expect_same_bits({plan_.time_step, 500, 2500, 1});
+}
+
+/// With an option for its models, even the one that is on anyway, LIGGGHTS loops over its pairs
+/// itself.
+void leave_pairs_to_liggghts(const std::filesystem::path& folder) {
+  const auto file = folder / liggghts::file_names::contact_model;
+  std::string text = text_of(file);
+  text.insert(text.find('\n', text.find("pair_style")), " tangential_damping on");
+  write_text(file, text);
+}
+
+TEST_F(RecordedMill, KeepsTheForcesBetweenParticlesThatLiggghtsKeeps) {
+  const StretchSteps steps{plan_.time_step, 500, 2500, 1, 2000};
+  const auto pairs = [&](const char* stage, const ChangeDeck& change) {
+    return *record(mill_, steps, mill_.liner, scratch_.stage(stage), "mix", 2, change).record.pairs;
+  };
+  const auto ours = pairs("ours", {});
+  const auto theirs = pairs("theirs", leave_pairs_to_liggghts);
+  EXPECT_GT(ours.spectrum.normal_events.sum(), 100.0);
+  EXPECT_EQ(ours.spectrum.normal_events, theirs.spectrum.normal_events);
+  EXPECT_EQ(ours.spectrum.shear_energy, theirs.spectrum.shear_energy);
+  EXPECT_EQ(ours.rolling_dissipation, theirs.rolling_dissipation);
+}
+
 // The dumps and the recorder on the same run, both every 20 steps and without damping, which the
 // dumps evaluate with other velocities: the same contacts in the same cells with the same forces,
 // to the digits that the dumps have.

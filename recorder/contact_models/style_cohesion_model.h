@@ -1,0 +1,1 @@
+// No cohesion model is compiled anew; LIGGGHTS wants the file.

@@ -1,6 +1,6 @@
 # Sourced by the benchmarks of LIGGGHTS's speed, from the project's folder with $ranks set. Builds
 # millwear and leaves: $work, a folder that goes when the script ends; $millwear; $recorder, which runs
-# LIGGGHTS with its search for neighbours by size; $mpi, the launch.
+# LIGGGHTS with the search and the loop of its own; $mpi, the launch.
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 root=""; [ "$(id -u)" -ne 0 ] || root=--allow-run-as-root

@@ -1,3 +1,2 @@
-// The normal models that this program compiles anew. LIGGGHTS reads this file several times over, so it
-// has no guard.
+// The normal models that are compiled anew. LIGGGHTS reads this file several times: no guard.
 #include <liggghts/normal_model_hertz.h>

@@ -1,4 +1,3 @@
-// The rolling models that this program compiles anew. LIGGGHTS reads this file several times over, so it
-// has no guard.
+// The rolling models that are compiled anew. LIGGGHTS reads this file several times: no guard.
 #include <liggghts/rolling_model_cdt.h>
 #include <liggghts/rolling_model_epsd2.h>

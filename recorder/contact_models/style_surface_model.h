@@ -1,3 +1,2 @@
-// The surface models that this program compiles anew. LIGGGHTS reads this file several times over, so it
-// has no guard.
+// The surface models that are compiled anew. LIGGGHTS reads this file several times: no guard.
 #include <liggghts/surface_model_default.h>

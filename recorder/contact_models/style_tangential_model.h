@@ -1,3 +1,2 @@
-// The tangential models that this program compiles anew. LIGGGHTS reads this file several times over, so it
-// has no guard.
+// The tangential models that are compiled anew. LIGGGHTS reads this file several times: no guard.
 #include <liggghts/tangential_model_history.h>

@@ -47,7 +47,8 @@ library CLI11 "CLI/" orchestrator/command_line.cpp recorder/mixing_options.cpp \
 library LIGGGHTS "liggghts/" recorder/charge_census.cpp recorder/deck_run.cpp recorder/main.cpp recorder/mesh_hook.cpp \
   recorder/neighbours_by_size.cpp recorder/pair_contacts.cpp recorder/particle_neighbours.cpp \
   recorder/particle_neighbours.h recorder/steady_mixing_run.cpp recorder/stretch_recorder.cpp \
-  recorder/touching_pairs.cpp $(echo recorder/contact_models/style_*_model.h) recorder/wall_module.cpp recorder/wall_module.h recorder/wall_neighbours.cpp
+  recorder/touching_pairs.cpp recorder/wall_module.cpp recorder/wall_module.h recorder/wall_neighbours.cpp \
+  $(echo recorder/contact_models/style_*_model.h)
 library MPI "mpi\.h" recorder/main.cpp recorder/rank_exchange.h \
   recorder/steady_mixing_run.cpp recorder/stretch_recorder.h
 

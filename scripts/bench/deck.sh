@@ -76,8 +76,6 @@ skin=$(awk '/^neighbor/ { print $2 }' deck.in)
 rolling=$(sed -n 's/.*rolling_friction \([a-z0-9]*\).*/\1/p' contact_model.in | tail -1)
 grid=$(awk '/^processors/ { print $2, $3, $4 }' deck.in)
 decks="first mesh split rolling search pairs ours"
-# With an option for its models, even the one that is on anyway, LIGGGHTS loops over its pairs itself.
-own_pairs="tangential_damping on"
 
 write_decks() {
   deck first   "$work/fine.stl" "$1_even.data" "$ranks 1 1" epsd2      0.010

@@ -1,6 +1,7 @@
 # Sourced by the benchmarks of LIGGGHTS's speed, from the project's folder with $ranks set. Builds
 # millwear and leaves: $work, a folder that goes when the script ends; $millwear; $recorder, which runs
-# LIGGGHTS with the search and the loop of its own; $mpi, the launch.
+# LIGGGHTS with the search and the loop of its own; $own_pairs, an option for the pairs with which it leaves the
+# loop to LIGGGHTS; $mpi, the launch.
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 root=""; [ "$(id -u)" -ne 0 ] || root=--allow-run-as-root
@@ -8,6 +9,7 @@ mpi="mpirun -np $ranks --bind-to none $root"
 make -s build >&2
 millwear=$PWD/build/release/millwear
 recorder=$millwear-recorder
+own_pairs="tangential_damping on"   # as it is anyway, but any option will do
 
 # The median of the numbers that come in, one a line.
 median() { sort -g | awk '{ v[NR] = $1 } END { print (v[int((NR + 1) / 2)] + v[int(NR / 2) + 1]) / 2 }'; }

@@ -23,8 +23,7 @@ mill() {
   (cd "$mix" && sed 's/liner_000_mix/liner_timed/g' contact_model.in >timed_model.in
     sed -e 's|^read_data .*|read_restart charge.restart|' -e 's/contact_model.in/timed_model.in/' \
       -e 's/liner_000_mix/liner_timed/g' -e '/^write_restart/d' -e "s/^run .*/run 50\\nrun $3/" deck.in >timed.in
-    # With an option for its models, even the one that is on anyway, LIGGGHTS loops over its pairs itself.
-    sed '/^pair_style/s/$/ tangential_damping on/' timed_model.in >own_pairs_model.in
+    sed "/^pair_style/s/\$/ $own_pairs/" timed_model.in >own_pairs_model.in
     sed 's/timed_model.in/own_pairs_model.in/' timed.in >own_pairs.in
     awk -v wider=$wider '/^neighbor/ { $2 = wider * $2 } { print }' timed.in >wider.in)
 }

@@ -13,8 +13,7 @@ constexpr double most_cells_a_sphere = 16.0;
 
 /// The cell that `place` lies in, along one axis; outside the grid: the last or first one.
 int cell_at(double place, double origin, double cell, int cells) {
-  const double at = std::floor((place - origin) / cell);
-  return static_cast<int>(std::clamp(at, 0.0, static_cast<double>(cells - 1)));
+  return static_cast<int>(std::clamp((place - origin) / cell, 0.0, cells - 1.0));
 }
 
 }  // namespace

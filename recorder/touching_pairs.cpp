@@ -69,6 +69,12 @@ void add(double factor, const ForceData& forces, double* force, double* torque) 
   }
 }
 
+/// LIGGGHTS keeps a vector of all particles in one piece: where particle i's begins, without a look
+/// at its table of pointers, which is memory of its own.
+double* of_particle(double** vectors, int i) {
+  return *vectors + 3 * static_cast<std::ptrdiff_t>(i);
+}
+
 /// A neighbour that touches.
 struct Touching {
   int particle;
@@ -153,8 +159,9 @@ class TouchingPairs final : private LAMMPS_NS::Pointers, public PairStyle {
       model_.endSurfacesIntersect(contact, nullptr, on_i, on_j);
       const int i = contact.i;
       const int j = contact.j;
-      add(pair.relax(i), on_i, atom->f[i], atom->torque[i]);
-      if (j < atom->nlocal) add(pair.relax(j), on_j, atom->f[j], atom->torque[j]);
+      add(pair.relax(i), on_i, of_particle(atom->f, i), of_particle(atom->torque, i));
+      if (j < atom->nlocal)
+        add(pair.relax(j), on_j, of_particle(atom->f, j), of_particle(atom->torque, j));
       if (keeps_forces) keep(*pair.fix_contact_forces(), i, j, on_i, on_j);
     }
     model_.endPass(contact, none, none);
@@ -182,11 +189,11 @@ class TouchingPairs final : private LAMMPS_NS::Pointers, public PairStyle {
   /// Has the processor bring what a contact will need.
   void fetch(PairGran& pair, const Touching& touching) const {
     const int j = touching.other;
-    __builtin_prefetch(atom->x[j]);
-    __builtin_prefetch(atom->v[j]);
-    __builtin_prefetch(atom->omega[j]);
-    __builtin_prefetch(atom->f[j], 1);
-    __builtin_prefetch(atom->torque[j], 1);
+    __builtin_prefetch(of_particle(atom->x, j));
+    __builtin_prefetch(of_particle(atom->v, j));
+    __builtin_prefetch(of_particle(atom->omega, j));
+    __builtin_prefetch(of_particle(atom->f, j), 1);
+    __builtin_prefetch(of_particle(atom->torque, j), 1);
     __builtin_prefetch(history(pair, touching), 1);
   }
 
@@ -196,8 +203,8 @@ class TouchingPairs final : private LAMMPS_NS::Pointers, public PairStyle {
 
   /// From the centre of particle j to that of i [m].
   [[nodiscard]] std::array<double, 3> between(int i, int j) const {
-    const double* const a = atom->x[i];
-    const double* const b = atom->x[j];
+    const double* const a = of_particle(atom->x, i);
+    const double* const b = of_particle(atom->x, j);
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
   }
 
@@ -216,10 +223,10 @@ class TouchingPairs final : private LAMMPS_NS::Pointers, public PairStyle {
     contact.jtype = atom->type[j];
     contact.radi = atom->radius[i];
     contact.radj = atom->radius[j];
-    contact.v_i = atom->v[i];
-    contact.v_j = atom->v[j];
-    contact.omega_i = atom->omega[i];
-    contact.omega_j = atom->omega[j];
+    contact.v_i = of_particle(atom->v, i);
+    contact.v_j = of_particle(atom->v, j);
+    contact.omega_i = of_particle(atom->omega, i);
+    contact.omega_j = of_particle(atom->omega, j);
     contact.r = std::sqrt(contact.rsq);
     contact.rinv = 1.0 / contact.r;
     for (int k = 0; k < 3; ++k) contact.en[k] = contact.delta[k] * contact.rinv;

@@ -4,7 +4,11 @@ const data = JSON.parse(document.getElementById("data").textContent);
 
 const known = (value) => value !== null && value !== undefined && isFinite(value);
 const grouped = d3.format(",.0f");
-const fixed = (digits) => (value) => known(value) ? d3.format(",." + digits + "f")(value).replace("-", "−") : "–";
+const fixed = (digits) => (value) => {
+  if (!known(value)) return "–";
+  const text = d3.format(",." + digits + "f")(value);
+  return text.replace("-", /[1-9]/.test(text) ? "−" : "");
+};
 const significant = (digits) => (value) => {
   if (!known(value)) return "–";
   if (value === 0) return "0";

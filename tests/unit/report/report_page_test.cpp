@@ -103,7 +103,7 @@ TEST_F(ReportPage, DrawsTheCalibratedPredictionWhereThereIsOne) {
   course.fresh_height = 0.215;
   course.line_rate = 2.5e-5;
   course.curve = {{0.0, {0.215, {0.215, 0.215}}},
-                  {5112.0, {0.088, {0.084, 0.092}}},
+                  {5112.0, {0.088 - 1e-12, {0.084, 0.092}}},
                   {7000.0, {0.032, {0.026, 0.038}}}};
   course.readings = {
       {5112.0, CourseUse::calibrated, 0.088, 0.002, course.curve[1].height, 0.0872, {}, {}},
@@ -119,6 +119,7 @@ TEST_F(ReportPage, DrawsTheCalibratedPredictionWhereThereIsOne) {
   const auto table = part_between(page, "id=\"calibrated-table\"", "</section>");
   EXPECT_EQ(count_of(table, "<tr"), 3u);
   EXPECT_NE(table.find("84.0 to 92.0"), std::string::npos);
+  EXPECT_EQ(table.find("−0.0"), std::string::npos);
   EXPECT_NE(table.find("1 reading is after the last liner"), std::string::npos);
   EXPECT_NE(page.find("Nothing to judge by."), std::string::npos);
 }

@@ -8,7 +8,7 @@
 #include <memory>
 #include <numbers>
 
-#include "mill/failure.h"
+#include "mill/base/failure.h"
 
 namespace millwear::meshgen {
 namespace {

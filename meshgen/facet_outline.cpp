@@ -8,7 +8,7 @@
 #include <optional>
 #include <span>
 
-#include "mill/failure.h"
+#include "mill/base/failure.h"
 
 namespace millwear::meshgen {
 namespace {

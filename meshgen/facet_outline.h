@@ -2,7 +2,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "mill/liner_profile.h"
+#include "mill/liner/liner_profile.h"
 
 namespace millwear::meshgen {
 

@@ -13,7 +13,7 @@
 #include <string>
 #include <unordered_map>
 
-#include "mill/failure.h"
+#include "mill/base/failure.h"
 
 namespace millwear::meshgen {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "meshgen/facet_outline.h"
 #include "meshgen/gmsh_kernel.h"
-#include "mill/failure.h"
-#include "mill/mill_frame.h"
+#include "mill/base/failure.h"
+#include "mill/liner/mill_frame.h"
 
 namespace millwear::meshgen {
 namespace {

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "meshgen/triangulation.h"
-#include "mill/liner_profile.h"
+#include "mill/liner/liner_profile.h"
 
 namespace millwear::meshgen {
 

@@ -9,8 +9,8 @@
 #include <map>
 #include <utility>
 
-#include "mill/failure.h"
-#include "mill/mill_frame.h"
+#include "mill/base/failure.h"
+#include "mill/liner/mill_frame.h"
 
 namespace millwear::meshgen {
 namespace {

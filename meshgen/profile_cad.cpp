@@ -10,9 +10,9 @@
 
 #include "meshgen/dxf_polyline.h"
 #include "meshgen/gmsh_kernel.h"
-#include "mill/failure.h"
-#include "mill/mill_frame.h"
-#include "mill/published_file.h"
+#include "mill/base/failure.h"
+#include "mill/liner/mill_frame.h"
+#include "mill/base/published_file.h"
 
 namespace millwear::meshgen {
 namespace {

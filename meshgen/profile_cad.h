@@ -1,7 +1,7 @@
 #pragma once
 #include <filesystem>
 
-#include "mill/liner_profile.h"
+#include "mill/liner/liner_profile.h"
 
 namespace millwear::meshgen {
 

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "meshgen/gmsh_kernel.h"
-#include "mill/failure.h"
-#include "mill/published_file.h"
+#include "mill/base/failure.h"
+#include "mill/base/published_file.h"
 
 namespace millwear::meshgen {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <random>
 
-#include "liggghts_inputs/contact_join.h"
-#include "mill/mill_frame.h"
-#include "mill/parametric_lifter.h"
+#include "liggghts_inputs/outputs/contact_join.h"
+#include "mill/liner/mill_frame.h"
+#include "mill/liner/parametric_lifter.h"
 
 namespace millwear::liggghts {
 namespace {

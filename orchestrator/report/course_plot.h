@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "orchestrator/report/calibrated_course.h"
+#include "orchestrator/results/calibrated_course.h"
 
 namespace millwear::orchestrator {
 

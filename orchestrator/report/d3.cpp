@@ -5,7 +5,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "mill/failure.h"
+#include "mill/base/failure.h"
 
 namespace millwear::orchestrator {
 namespace {

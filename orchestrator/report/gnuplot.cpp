@@ -10,7 +10,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "mill/failure.h"
+#include "mill/base/failure.h"
 
 namespace millwear::orchestrator {
 namespace {

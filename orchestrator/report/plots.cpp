@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mill/published_file.h"
+#include "mill/base/published_file.h"
 #include "orchestrator/report/gnuplot.h"
-#include "orchestrator/report/measured_charge.h"
+#include "orchestrator/results/measured_charge.h"
 #include "orchestrator/report/plot_style.h"
 
 namespace millwear::orchestrator {

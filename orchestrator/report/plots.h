@@ -1,7 +1,7 @@
 #pragma once
 #include <filesystem>
 
-#include "orchestrator/report/report_data.h"
+#include "orchestrator/results/report_data.h"
 
 namespace millwear::orchestrator {
 

@@ -2,7 +2,7 @@
 #include <string>
 
 #include "orchestrator/report/d3.h"
-#include "orchestrator/report/report_data.h"
+#include "orchestrator/results/report_data.h"
 
 namespace millwear::orchestrator {
 

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "orchestrator/number_or_null.h"
-#include "orchestrator/report/measured_charge.h"
+#include "mill/base/number_or_null.h"
+#include "orchestrator/results/measured_charge.h"
 
 namespace millwear::orchestrator {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "orchestrator/results/csv.h"
+#include "mill/base/csv.h"
 
 namespace millwear::orchestrator {
 namespace {

@@ -26,7 +26,7 @@ struct HistoryRow {
   double lifter_height_error;  ///< from the scatter of the loads up to here, see docs/physics.md
   double plate_thickness_error;
   double worn_volume_error;
-  double airborne_share;  ///< of the charge's mass, see wear/charge_motion.h [-]
+  double airborne_share;  ///< of the charge's mass, see wear/record/charge_motion.h [-]
   double airborne_share_error;
   double bare_hit_power;  ///< of hits on the bare liner from flight [W]
   double bare_hit_power_error;

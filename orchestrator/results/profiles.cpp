@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "mill/failure.h"
-#include "orchestrator/results/csv.h"
+#include "mill/base/failure.h"
+#include "mill/base/csv.h"
 
 namespace millwear::orchestrator {
 namespace {

@@ -5,8 +5,8 @@
 #include <charconv>
 #include <iterator>
 
-#include "mill/failure.h"
-#include "orchestrator/results/csv.h"
+#include "mill/base/failure.h"
+#include "mill/base/csv.h"
 
 namespace millwear::orchestrator {
 namespace {

@@ -5,7 +5,7 @@
 #include <array>
 #include <string_view>
 
-#include "orchestrator/results/csv.h"
+#include "mill/base/csv.h"
 
 namespace millwear::orchestrator {
 namespace {

@@ -1,4 +1,4 @@
-#include "mill/case_file.h"
+#include "mill/case_file/case_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "mill/case_lock.h"
-#include "mill/case_manual.h"
-#include "mill/case_schema.h"
-#include "mill/failure.h"
+#include "mill/case_file/case_lock.h"
+#include "mill/case_file/case_manual.h"
+#include "mill/case_file/case_schema.h"
+#include "mill/base/failure.h"
 
 namespace millwear {
 namespace {

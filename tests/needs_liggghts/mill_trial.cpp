@@ -1,8 +1,8 @@
 #include "tests/needs_liggghts/mill_trial.h"
 
-#include "liggghts_inputs/charge_packing.h"
-#include "liggghts_inputs/deck.h"
-#include "mill/case_file.h"
+#include "liggghts_inputs/decks/charge_packing.h"
+#include "liggghts_inputs/decks/deck.h"
+#include "mill/case_file/case_file.h"
 
 namespace millwear::trial {
 namespace {

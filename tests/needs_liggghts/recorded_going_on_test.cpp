@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "liggghts_inputs/deck.h"
-#include "mill/time_step.h"
+#include "liggghts_inputs/decks/deck.h"
+#include "mill/case/time_step.h"
 #include "tests/needs_liggghts/mill_trial.h"
-#include "wear/load_rate.h"
-#include "wear/smoothing_error.h"
+#include "wear/rate/load_rate.h"
+#include "wear/rate/smoothing_error.h"
 
 namespace millwear::trial {
 namespace {

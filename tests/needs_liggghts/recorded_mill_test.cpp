@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "liggghts_inputs/deck.h"
-#include "mill/time_step.h"
+#include "liggghts_inputs/decks/deck.h"
+#include "mill/case/time_step.h"
 #include "tests/needs_liggghts/mill_trial.h"
 
 namespace millwear::trial {

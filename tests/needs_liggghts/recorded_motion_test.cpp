@@ -10,11 +10,11 @@
 #include <set>
 #include <sstream>
 
-#include "liggghts_inputs/deck.h"
-#include "mill/time_step.h"
+#include "liggghts_inputs/decks/deck.h"
+#include "mill/case/time_step.h"
 #include "tests/needs_liggghts/mill_trial.h"
 #include "tests/needs_liggghts/sphere_trial.h"
-#include "wear/charge_motion.h"
+#include "wear/record/charge_motion.h"
 
 namespace millwear::trial {
 namespace {

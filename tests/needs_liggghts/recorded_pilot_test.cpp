@@ -7,10 +7,10 @@
 #include <numeric>
 #include <sstream>
 
-#include "liggghts_inputs/deck.h"
-#include "liggghts_inputs/torque_series.h"
-#include "mill/case_file.h"
-#include "mill/time_step.h"
+#include "liggghts_inputs/decks/deck.h"
+#include "liggghts_inputs/outputs/torque_series.h"
+#include "mill/case_file/case_file.h"
+#include "mill/case/time_step.h"
 #include "tests/needs_liggghts/mill_trial.h"
 
 namespace millwear::trial {

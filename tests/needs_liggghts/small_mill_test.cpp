@@ -6,11 +6,11 @@
 #include <set>
 
 #include "meshgen/liner_mesh.h"
-#include "mill/mill_frame.h"
-#include "mill/time_step.h"
-#include "orchestrator/mesh_facts.h"
+#include "mill/liner/mill_frame.h"
+#include "mill/case/time_step.h"
+#include "orchestrator/campaign/mesh_facts.h"
 #include "tests/needs_liggghts/mill_trial.h"
-#include "wear/profile_index.h"
+#include "wear/record/profile_index.h"
 
 namespace millwear::trial {
 namespace {

@@ -7,9 +7,9 @@
 #include <regex>
 #include <stdexcept>
 
-#include "liggghts_inputs/charge_packing.h"
-#include "liggghts_inputs/deck.h"
-#include "mill/parametric_lifter.h"
+#include "liggghts_inputs/decks/charge_packing.h"
+#include "liggghts_inputs/decks/deck.h"
+#include "mill/liner/parametric_lifter.h"
 
 namespace millwear::trial {
 namespace {

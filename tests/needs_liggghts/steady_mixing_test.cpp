@@ -3,12 +3,12 @@
 
 #include <cmath>
 
-#include "liggghts_inputs/charge_packing.h"
-#include "liggghts_inputs/deck.h"
-#include "mill/mixing_record.h"
-#include "mill/time_step.h"
-#include "orchestrator/mixing.h"
-#include "orchestrator/stretch_run.h"
+#include "liggghts_inputs/decks/charge_packing.h"
+#include "liggghts_inputs/decks/deck.h"
+#include "mill/load/mixing_record.h"
+#include "mill/case/time_step.h"
+#include "orchestrator/dem_run/mixing.h"
+#include "orchestrator/dem_run/stretch_run.h"
 #include "tests/needs_liggghts/mill_trial.h"
 
 namespace millwear::trial {

@@ -6,17 +6,17 @@
 #include <fstream>
 #include <iterator>
 
-#include "liggghts_inputs/deck.h"
+#include "liggghts_inputs/decks/deck.h"
 #include "meshgen/stl_file.h"
-#include "mill/case_lock.h"
-#include "mill/failure.h"
-#include "mill/profile_csv.h"
-#include "orchestrator/mesh_facts.h"
-#include "orchestrator/stages.h"
-#include "orchestrator/stretch_run.h"
-#include "wear/collision_store.h"
-#include "wear/load_store.h"
-#include "wear/wear_law.h"
+#include "mill/case_file/case_lock.h"
+#include "mill/base/failure.h"
+#include "mill/liner/profile_csv.h"
+#include "orchestrator/campaign/mesh_facts.h"
+#include "orchestrator/stages/stages.h"
+#include "orchestrator/dem_run/stretch_run.h"
+#include "wear/record/collision_store.h"
+#include "wear/record/load_store.h"
+#include "wear/rate/wear_law.h"
 
 namespace millwear::trial {
 namespace {

@@ -4,13 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "liggghts_inputs/contact_join.h"
-#include "liggghts_inputs/run_log.h"
-#include "liggghts_inputs/stretch.h"
+#include "liggghts_inputs/outputs/contact_join.h"
+#include "liggghts_inputs/outputs/run_log.h"
+#include "liggghts_inputs/decks/stretch.h"
 #include "meshgen/liner_mesh.h"
-#include "mill/case.h"
-#include "wear/collision.h"
-#include "wear/load_accumulator.h"
+#include "mill/case/case.h"
+#include "wear/record/collision.h"
+#include "wear/record/load_accumulator.h"
 
 namespace millwear::trial {
 

@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include "liggghts_inputs/deck.h"
-#include "orchestrator/campaign.h"
-#include "orchestrator/stages.h"
-#include "orchestrator/tuning_file.h"
-#include "orchestrator/whole_file.h"
+#include "liggghts_inputs/decks/deck.h"
+#include "orchestrator/campaign/campaign.h"
+#include "orchestrator/stages/stages.h"
+#include "orchestrator/dem_run/tuning_file.h"
+#include "mill/base/whole_file.h"
 #include "tests/needs_liggghts/mill_trial.h"
 
 namespace millwear::trial {

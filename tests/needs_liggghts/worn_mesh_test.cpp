@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mill/time_step.h"
+#include "mill/case/time_step.h"
 #include "tests/needs_liggghts/mill_trial.h"
 
 namespace millwear::trial {

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <random>
 
-#include "mill/mill_frame.h"
-#include "mill/parametric_lifter.h"
-#include "wear/load_accumulator.h"
-#include "wear/profile_motion.h"
-#include "wear/smoothing_error.h"
+#include "mill/liner/mill_frame.h"
+#include "mill/liner/parametric_lifter.h"
+#include "wear/record/load_accumulator.h"
+#include "wear/evolve/profile_motion.h"
+#include "wear/rate/smoothing_error.h"
 
 namespace millwear::wear {
 namespace {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mill/failure.h"
-#include "tests/unit/meshgen/sample_liners.h"
+#include "mill/base/failure.h"
+#include "tests/support/sample_liners.h"
 
 namespace millwear::meshgen {
 namespace {

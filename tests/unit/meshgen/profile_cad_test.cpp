@@ -7,8 +7,8 @@
 
 #include "meshgen/dxf_polyline.h"
 #include "meshgen/gmsh_kernel.h"
-#include "mill/failure.h"
-#include "tests/unit/meshgen/sample_liners.h"
+#include "mill/base/failure.h"
+#include "tests/support/sample_liners.h"
 
 namespace millwear::meshgen {
 namespace {

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "meshgen/liner_mesh.h"
-#include "mill/failure.h"
-#include "mill/mill_frame.h"
-#include "tests/unit/meshgen/sample_liners.h"
+#include "mill/base/failure.h"
+#include "mill/liner/mill_frame.h"
+#include "tests/support/sample_liners.h"
 
 namespace millwear::meshgen {
 namespace {

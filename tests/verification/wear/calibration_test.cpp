@@ -1,15 +1,15 @@
-#include "wear/calibration.h"
+#include "wear/calibrate/calibration.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "sample_profiles.h"
-#include "wear/angular_zones.h"
-#include "wear/evolution.h"
-#include "wear/path_prediction.h"
-#include "wear/wear_law.h"
+#include "tests/support/sample_profiles.h"
+#include "wear/calibrate/angular_zones.h"
+#include "wear/evolve/evolution.h"
+#include "wear/calibrate/path_prediction.h"
+#include "wear/rate/wear_law.h"
 
 namespace millwear::wear {
 namespace {

@@ -1,11 +1,11 @@
-#include "closed_form_campaign.h"
+#include "tests/verification/wear/closed_form_campaign.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "sample_profiles.h"
-#include "wear/evolution.h"
+#include "tests/support/sample_profiles.h"
+#include "wear/evolve/evolution.h"
 
 namespace millwear::wear {
 namespace {

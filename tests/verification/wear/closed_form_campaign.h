@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "mill/case.h"
-#include "wear/load_in_time.h"
+#include "mill/case/case.h"
+#include "wear/evolve/load_in_time.h"
 
 namespace millwear::wear {
 

@@ -5,9 +5,9 @@
 #include <numbers>
 #include <random>
 
-#include "sample_profiles.h"
-#include "wear/evolution.h"
-#include "wear/profile_motion.h"
+#include "tests/support/sample_profiles.h"
+#include "wear/evolve/evolution.h"
+#include "wear/evolve/profile_motion.h"
 
 namespace millwear::wear {
 namespace {

@@ -4,10 +4,10 @@
 #include <cstdio>
 #include <random>
 
-#include "sample_profiles.h"
-#include "wear/campaign_band.h"
-#include "wear/evolution.h"
-#include "wear/smoothing_error.h"
+#include "tests/support/sample_profiles.h"
+#include "wear/band/campaign_band.h"
+#include "wear/evolve/evolution.h"
+#include "wear/rate/smoothing_error.h"
 
 namespace millwear::wear {
 namespace {

@@ -1,4 +1,4 @@
-#include "random_liners.h"
+#include "tests/verification/wear/random_liners.h"
 
 #include <rapidcheck.h>
 
@@ -8,7 +8,7 @@
 #include <boost/geometry/geometries/polygon.hpp>
 #include <cmath>
 
-#include "wear/profile_index.h"
+#include "wear/record/profile_index.h"
 
 namespace millwear::wear {
 namespace {

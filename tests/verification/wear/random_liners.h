@@ -1,9 +1,9 @@
 #pragma once
 #include <Eigen/Core>
 
-#include "mill/liner_profile.h"
-#include "wear/arc_curve.h"
-#include "wear/profile_motion.h"
+#include "mill/liner/liner_profile.h"
+#include "wear/numerics/arc_curve.h"
+#include "wear/evolve/profile_motion.h"
 
 namespace millwear::wear {
 

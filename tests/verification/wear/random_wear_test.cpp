@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mill/failure.h"
-#include "random_liners.h"
+#include "mill/base/failure.h"
+#include "tests/verification/wear/random_liners.h"
 
 namespace millwear::wear {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "closed_form_campaign.h"
+#include "tests/verification/wear/closed_form_campaign.h"
 
 namespace millwear::wear {
 namespace {

@@ -2,7 +2,7 @@
 // the loads that are known in closed form: columns load, scheme, loads, error.
 #include <fmt/format.h>
 
-#include "closed_form_campaign.h"
+#include "tests/verification/wear/closed_form_campaign.h"
 
 int main() {
   using namespace millwear;

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "tests/verification/wear/synthetic_load.h"
-#include "wear/smoothing_error.h"
+#include "wear/rate/smoothing_error.h"
 
 namespace millwear::wear {
 namespace {

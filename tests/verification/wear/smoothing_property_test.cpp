@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "wear/random_stream.h"
-#include "wear/smoothing_error.h"
+#include "wear/numerics/random_stream.h"
+#include "wear/rate/smoothing_error.h"
 
 namespace millwear::wear {
 namespace {

@@ -7,10 +7,10 @@
 #include <numbers>
 #include <numeric>
 
-#include "mill/failure.h"
-#include "random_liners.h"
-#include "sample_profiles.h"
-#include "wear/evolution.h"
+#include "mill/base/failure.h"
+#include "tests/verification/wear/random_liners.h"
+#include "tests/support/sample_profiles.h"
+#include "wear/evolve/evolution.h"
 
 namespace millwear::wear {
 namespace {

@@ -1,0 +1,10 @@
+# The sources of a room: every .cpp of its sub-rooms, so that a new file is in the build by being there.
+#   millwear_sources(OUT sub-rooms...)
+function(millwear_sources out)
+  set(found "")
+  foreach(sub_room ${ARGN})
+    file(GLOB here CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${sub_room}/*.cpp)
+    list(APPEND found ${here})
+  endforeach()
+  set(${out} ${found} PARENT_SCOPE)
+endfunction()

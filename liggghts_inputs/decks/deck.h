@@ -1,0 +1,68 @@
+#pragma once
+#include <string>
+
+#include "liggghts_inputs/decks/stretch.h"
+#include "mill/case/case.h"
+
+namespace millwear::liggghts {
+
+/// The liner mesh as LIGGGHTS takes it.
+struct LinerMeshFile {
+  std::string stl_file;  ///< as the deck names it, relative to the folder LIGGGHTS runs in
+  std::size_t triangles;
+};
+
+/// The names of a stretch's files in the folder LIGGGHTS runs in.
+namespace file_names {
+inline constexpr const char* deck = "deck.in";
+inline constexpr const char* contact_model = "contact_model.in";
+inline constexpr const char* charge = "charge.data";
+inline constexpr const char* log = "liggghts.log";
+inline constexpr const char* restart = "charge.restart";
+inline constexpr const char* contacts = "contacts.dump";
+inline constexpr const char* spins = "spins.dump";
+inline constexpr const char* torque = "torque.txt";
+}  // namespace file_names
+
+/// The neighbour skin the deck uses [m]: the case's, or by default the least particle's
+/// radius (docs/guide.md).
+[[nodiscard]] double neighbour_skin(const Case& mill);
+
+/// How `ranks` MPI ranks share the mill in the deck: an even number as the case says, by default
+/// `charge`, where the box of `charge_data_file` is cut; an odd number along the axis.
+[[nodiscard]] RankSplit rank_split(const Case& mill, int ranks);
+
+/// Which mesh stands in the mill: every cycle's mesh has an ID of its own (see
+/// templates/contact_model.in), and those of a mixing stretch and a trial differ from the
+/// measuring one's.
+enum class StretchKind { mix, trial, measure };
+
+/// Contact model, materials and liner, shared by both kinds of stretch.
+[[nodiscard]] std::string contact_model_deck(const Case& mill, const StretchSteps& steps,
+                                             const LinerMeshFile& mesh, StretchKind kind,
+                                             int cycle);
+
+/// The deck of the first stretch: reads the packed charge, mixes it, writes a restart file. Like
+/// the others for `ranks` MPI ranks: one for an even number runs on any even number, one for an odd
+/// number on any.
+[[nodiscard]] std::string mixing_deck(const Case& mill, const StretchSteps& steps, int ranks);
+
+/// The deck of a measuring stretch on `worn`, the liner of this cycle, from the charge that
+/// `previous_restart` (a path relative to the run's folder) holds.
+[[nodiscard]] std::string measuring_deck(const Case& mill, const StretchSteps& steps,
+                                         const LinerProfile& worn,
+                                         const std::string& previous_restart, int ranks);
+
+/// The steps of one trial of LIGGGHTS's speed.
+struct TrialSteps {
+  long warm_up;
+  long timed;
+  [[nodiscard]] long total() const { return warm_up + timed; }
+};
+
+/// The deck of a trial of speed, with the case's `neighbour_skin` and `rank_split`, from the charge
+/// that `previous_restart` holds. It leaves no restart file.
+[[nodiscard]] std::string trial_deck(const Case& mill, const TrialSteps& steps,
+                                     const std::string& previous_restart, int ranks);
+
+}  // namespace millwear::liggghts

@@ -1,0 +1,27 @@
+#include "mill/base/whole_file.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "mill/base/failure.h"
+
+namespace millwear::orchestrator {
+
+void write_file(const std::filesystem::path& file, std::string_view text) {
+  std::ofstream out(file, std::ios::binary);
+  out << text;
+  out.close();
+  if (!out) throw DiskError(fmt::format("{}: cannot be written; is the disk full?", file.string()));
+}
+
+std::string read_file(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::stringstream text;
+  text << in.rdbuf();
+  if (!in) throw DiskError(fmt::format("{}: cannot be read", file.string()));
+  return text.str();
+}
+
+}  // namespace millwear::orchestrator

@@ -1,0 +1,197 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mill/case/charge.h"
+#include "mill/liner/liner_profile.h"
+#include "mill/case/wear_mechanism.h"
+
+namespace millwear {
+
+/// A solid: density [kg/m3], shear modulus as measured [Pa] (before it is softened for the DEM) and
+/// Poisson's ratio.
+struct Material {
+  std::string name;
+  double density;
+  double shear_modulus;
+  double poisson_ratio;
+  std::optional<double> modulus_reduction{};  ///< in place of the DEM's for all
+};
+
+/// How two materials touch: coefficients of sliding and rolling friction and of restitution.
+struct MaterialPair {
+  std::size_t first;   ///< index into Case::materials
+  std::size_t second;  ///< index into Case::materials
+  double sliding_friction;
+  double rolling_friction;
+  double restitution;
+};
+
+/// What the owner declares about the filling, shares of the mill's inside volume. Used for the
+/// counts where the charge is given by filling, and only compared with where it is given by counts.
+struct DeclaredFilling {
+  std::optional<double> total;  ///< J
+  std::optional<double> balls;
+};
+
+struct Charge {
+  std::vector<ParticleClass> classes;  ///< largest first
+  DeclaredFilling declared;
+  double porosity;        ///< voids of the charge at rest
+  double truncate_below;  ///< sizes under this are left out [m]; 0 keeps all
+};
+
+enum class RollingFriction { cdt, epsd2 };
+
+/// How the wall contacts of a run are seen.
+enum class ContactPath {
+  recorder,  ///< every step, from inside LIGGGHTS, by millwear-recorder
+  dumps,     ///< sampled, through text dumps of the plain liggghts
+};
+
+/// How MPI ranks share the mill.
+enum class RankSplit {
+  charge,  ///< half of them on either side of the moving charge's middle, each half along the axis
+  axis,    ///< slabs along the axis
+};
+
+/// As the case file writes them.
+[[nodiscard]] std::string_view name_of(ContactPath path);
+[[nodiscard]] std::string_view name_of(RankSplit split);
+
+/// How well a measurement is to know the smoothed rate of loss at its peaks before it ends.
+struct ErrorTarget {
+  double relative_error;    ///< above 0, up to 1
+  double most_revolutions;  ///< it ends then, however well it is known
+};
+
+struct DemSettings {
+  double modulus_reduction;                 ///< the moduli are divided by this
+  double rayleigh_fraction;                 ///< time step as a share of the least Rayleigh time
+  std::optional<double> longest_time_step;  ///< [s]; the step is never above this
+  RollingFriction rolling_friction;
+  double mix_revolutions;      ///< before the first measurement
+  int settle_pitches;          ///< turned on a new mesh before the load is measured
+  double measure_revolutions;  ///< with a target the least number
+  ContactPath contact_path;
+  int sample_every_steps;      ///< steps between two samples of the wall contacts
+  int ranks;                   ///< MPI ranks; 0 takes every core
+  std::optional<double> skin;  ///< neighbour skin [m]; by default the least particle radius
+  std::optional<RankSplit> rank_split{};  ///< by default `charge`
+  double mesh_tolerance;    ///< mesh against profile, share of the least particle radius
+  std::uint64_t seed;       ///< of the first packing
+  bool keep_dumps;          ///< keep the contact dumps as files
+  bool keep_events;         ///< keep a row a collision with the liner (recorder only)
+  double pair_revolutions;  ///< at the end of a measurement in which collisions between particles
+                            ///< are recorded (recorder only)
+  std::optional<double> time_step{};  ///< wanted [s], in place of the share of the Rayleigh time
+  std::optional<ErrorTarget> error_target{};  ///< recorder only
+  bool tune = false;  ///< a campaign chooses `skin` and `rank_split` by a trial; they are not given
+  bool mix_until_steady = false;  ///< mixing ends once it is steady (mill/load/steady_mixing.h; recorder
+                                  ///< only), with `mix_revolutions` the most
+};
+
+/// How the sampled load is smoothed along the profile. docs/physics.md has both.
+enum class SmoothingMethod {
+  penalised,  ///< as much as the load's own noise asks for
+  paper,      ///< the two splines of the 2006 paper, the same for every load
+};
+
+/// As the case file writes it.
+[[nodiscard]] std::string_view name_of(SmoothingMethod method);
+
+struct WearSettings {
+  std::vector<WearMechanism> mechanisms;  ///< the law is their sum
+  int bins;                               ///< along one pitch
+  int time_blocks;                        ///< replicates of the load in one measurement
+  double excess_speed;                    ///< v_0 of the excess kinetic energy of an impact [m/s]
+  SmoothingMethod smoothing{};            ///< of the load along the profile
+};
+
+/// How the next DEM is timed.
+enum class Scheme {
+  threshold,  ///< after a worn share of the lifter, the load standing still (the 2006 paper)
+  adaptive,   ///< second order in time, with the step set by the error of the last
+};
+
+/// As the case file writes it.
+[[nodiscard]] std::string_view name_of(Scheme scheme);
+
+/// When to run the DEM anew, and when to stop.
+struct CampaignSettings {
+  double threshold;     ///< worn share of the new lifter's volume per DEM load
+  int steps_per_cycle;  ///< geometry steps on one DEM load
+  double height_limit;  ///< the liner is worn out at this lifter height [m]
+  double plate_limit;   ///< ... or at this least plate thickness [m]
+  int cycle_limit;      ///< stop after so many cycles
+  Scheme scheme = Scheme::threshold;
+  double step_tolerance = 0.005;  ///< adaptive: share of the new lifter's volume that one load may
+                                  ///< wear at the wrong place
+  double largest_share = 0.25;    ///< adaptive: ... that one load may wear at all
+  std::vector<double> reversal_times = {};  ///< of milling, at which the rotation turns to the
+                                            ///< other way, increasing [s] (mill/liner/rotation.h)
+};
+
+/// How the gauge readings are held against the campaign. Nothing that is simulated depends on it.
+struct GaugeSettings {
+  std::optional<double> calibrate_until{};  ///< on the readings up to these operating hours [h]
+};
+
+/// A mill as its owner describes it, complete and checked. SI units, angles in radians.
+struct Case {
+  std::string name;
+  std::filesystem::path file;       ///< where it was read
+  double slice_length;              ///< of the periodic slice, along the axis [m]
+  double speed;                     ///< [rad/s], > 0
+  std::optional<double> feed_rate;  ///< [kg/s]
+  LinerProfile liner;               ///< as new
+  std::vector<Material> materials;
+  std::vector<MaterialPair> pairs;  ///< one for each unordered pair in use
+  std::size_t liner_material;
+  Charge charge;
+  DemSettings dem;
+  WearSettings wear;
+  CampaignSettings campaign;
+  GaugeSettings gauge{};
+};
+
+/// The pair of two materials, in either order. Throws InputError if no pair covers them.
+[[nodiscard]] const MaterialPair& pair_of(const Case& mill, std::size_t a, std::size_t b);
+
+[[nodiscard]] ChargeTotals totals(const Case& mill);
+
+/// Inside volume of the simulated slice with its liner as new [m3].
+[[nodiscard]] double inside_volume(const Case& mill);
+
+/// Filling that the particle counts make at rest: solid volume / (1 - porosity) / inside volume.
+[[nodiscard]] double computed_filling(const Case& mill);
+
+/// Share of the speed at which the largest particle would centrifuge on the plate [-]:
+///     omega_c = sqrt(g / (R - d/2)),   R the plate's radius, d the largest diameter.
+[[nodiscard]] double critical_speed_fraction(const Case& mill);
+
+/// The speed omega_c [rad/s] at which a particle of diameter `largest` [m] would centrifuge.
+[[nodiscard]] double critical_speed(const LinerSector& sector, double largest);
+
+/// What a material's modulus is divided by, for a longer time step.
+[[nodiscard]] double modulus_reduction(const Case& mill, std::size_t material);
+
+/// Shear modulus as it enters the DEM [Pa].
+[[nodiscard]] double softened_shear_modulus(const Case& mill, std::size_t material);
+
+/// How far the DEM mesh may lie from the profile [m].
+[[nodiscard]] double mesh_tolerance(const Case& mill);
+
+/// Mass of one particle of a class [kg].
+[[nodiscard]] double particle_mass(const Case& mill, const ParticleClass& kind);
+
+/// Largest and smallest particle diameters of the charge [m].
+[[nodiscard]] double largest_diameter(const Case& mill);
+[[nodiscard]] double smallest_diameter(const Case& mill);
+
+}  // namespace millwear

@@ -1,0 +1,89 @@
+#include <fmt/format.h>
+
+#include <array>
+
+#include "mill/case_file/case_build.h"
+#include "mill/case/case_units.h"
+#include "mill/case_file/case_values.h"
+#include "mill/liner/parametric_lifter.h"
+#include "mill/liner/profile_csv.h"
+#include "mill/liner/profile_ends.h"
+
+namespace millwear {
+namespace {
+
+constexpr std::array<std::string_view, 4> shape_keys = {
+    "height_m", "top_width_m", "leading_face_angle_deg", "trailing_face_angle_deg"};
+
+LinerProfile build_parametric(const CaseTable& lifter, const LinerSector& sector) {
+  const ParametricLifter shape{
+      .height = real_value(lifter, "height_m"),
+      .top_width = real_value(lifter, "top_width_m"),
+      .leading_face_angle = angle_from_degrees(real_value(lifter, "leading_face_angle_deg")),
+      .trailing_face_angle = angle_from_degrees(real_value(lifter, "trailing_face_angle_deg"))};
+  return profile_of(
+      sector, shape,
+      boolean_value(lifter, "straight_plate") ? PlateShape::straight : PlateShape::arc);
+}
+
+/// Exactly one of the three forms of a lifter, with every key of the parametric one.
+void check_form(const CaseTable& lifter, CaseProblems& problems) {
+  const bool csv = lifter.find("profile_csv") != nullptr;
+  const bool nodes = lifter.find("nodes_m") != nullptr;
+  std::string missing;
+  std::string present;
+  for (const std::string_view key : shape_keys) {
+    std::string& list = lifter.find(key) == nullptr ? missing : present;
+    list += fmt::format("{}`{}`", list.empty() ? "" : ", ", key);
+  }
+  if (csv && nodes) {
+    problems.add(lifter.line, "[lifter] has both `profile_csv` and `nodes_m`; give one of the two");
+  } else if ((csv || nodes) && !present.empty()) {
+    problems.add(lifter.line,
+                 fmt::format("[lifter] has a measured profile and a parametric shape ({}); give "
+                             "one of the two",
+                             present));
+  } else if ((csv || nodes) && lifter.find("straight_plate") != nullptr) {
+    problems.add(lifter.find("straight_plate")->line,
+                 "`straight_plate` goes with a parametric lifter only (the plate of a measured "
+                 "profile is as measured); delete it");
+  } else if (!csv && !nodes && !missing.empty()) {
+    problems.add(lifter.line,
+                 fmt::format("[lifter] has no {} (a parametric lifter takes all four); add them, "
+                             "or give `profile_csv` or `nodes_m`",
+                             missing));
+  }
+}
+
+}  // namespace
+
+LinerProfile build_liner(const CaseDocument& document, CaseProblems& problems) {
+  const CaseTable& mill = *document.find("mill");
+  const CaseTable& lifter = *document.find("lifter");
+  const double shell_radius = 0.5 * real_value(mill, "shell_diameter_m");
+  const double thickness = real_value(lifter, "plate_thickness_m");
+  LinerProfile liner{{shell_radius, shell_radius - thickness, integer_value(mill, "rows")}, {}};
+  check_form(lifter, problems);
+  if (thickness >= 0.5 * shell_radius) {
+    problems.add(lifter.find("plate_thickness_m")->line,
+                 fmt::format("the plate fills the mill ({:.4g} m thick, the shell's radius is "
+                             "{:.4g} m); keep it under half of that",
+                             thickness, shell_radius));
+  }
+  if (!problems.empty()) {
+    return liner;
+  }
+  if (const CaseValue* const csv = lifter.find("profile_csv")) {
+    const auto path = document.file.parent_path() / std::get<std::string>(csv->data);
+    problems.attempt(csv->line, [&] { liner = read_profile_csv(path, liner.sector); });
+  } else if (const CaseValue* const nodes = lifter.find("nodes_m")) {
+    problems.attempt(nodes->line, [&] {
+      liner = completed_profile(liner.sector, point_values(lifter, "nodes_m"));
+    });
+  } else {
+    problems.attempt(lifter.line, [&] { liner = build_parametric(lifter, liner.sector); });
+  }
+  return liner;
+}
+
+}  // namespace millwear

@@ -1,5 +1,0 @@
-#include <fmt/format.h>
-
-#include "mill/case_manual.h"
-
-int main() { fmt::print("{}", millwear::case_file_manual()); }

@@ -1,0 +1,139 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "liggghts_inputs/decks/stretch.h"
+#include "mill/case_file/case_file.h"
+#include "mill/case/case_warnings.h"
+#include "orchestrator/dem_run/cost_estimate.h"
+#include "mill/base/number_or_null.h"
+#include "orchestrator/app/verbs.h"
+
+namespace millwear::orchestrator {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+
+nlohmann::json check_json(const Case& mill, int ranks) {
+  const auto plan = plan_steps(mill);
+  const auto cost = estimate_cost(mill, ranks);
+  const auto charge = totals(mill);
+  const auto measuring = liggghts::measuring_steps(mill, plan);
+  nlohmann::json classes = nlohmann::json::array();
+  for (const auto& kind : mill.charge.classes)
+    classes.push_back({{"material", mill.materials[kind.material].name},
+                       {"diameter_m", kind.diameter},
+                       {"count", kind.count}});
+  return {{"case", mill.name},
+          {"classes", classes},
+          {"particles", charge.particles},
+          {"solid_volume_m3", charge.solid_volume},
+          {"mass_kg", charge.mass},
+          {"filling_computed", filling_inside_plate(mill)},
+          {"filling_declared", number_or_null(mill.charge.declared.total)},
+          {"ball_filling_declared", number_or_null(mill.charge.declared.balls)},
+          {"speed_rpm", mill.speed * 30.0 / std::numbers::pi},
+          {"critical_speed_fraction", critical_speed_fraction(mill)},
+          {"lifter_height_m", lifter_height(mill.liner)},
+          {"rayleigh_time_s", shortest_rayleigh_time(mill)},
+          {"time_step_s", plan.time_step},
+          {"steps_per_revolution", plan.steps_per_revolution(mill.liner.sector.rows)},
+          {"wall_contacts", name_of(mill.dem.contact_path)},
+          {"sample_every_steps", mill.dem.sample_every_steps},
+          {"mixing_steps", liggghts::mixing_steps(mill, plan).total()},
+          {"mix_until_steady", mill.dem.mix_until_steady},
+          {"steps_per_cycle", measuring.total()},
+          {"most_steps_per_cycle", measuring.most_total()},
+          {"target_relative_error", mill.dem.error_target
+                                        ? nlohmann::json(mill.dem.error_target->relative_error)
+                                        : nlohmann::json(nullptr)},
+          {"ranks", ranks},
+          {"mixing_seconds", cost.mixing},
+          {"cycle_seconds", cost.per_cycle},
+          {"most_cycle_seconds", cost.per_cycle_most},
+          {"warnings", warnings(mill)}};
+}
+
+std::string spoken_contact_path(const Case& mill) {
+  const int every = mill.dem.sample_every_steps;
+  const std::string when = every == 1 ? "every step" : fmt::format("every {} steps", every);
+  return mill.dem.contact_path == ContactPath::recorder
+             ? when + ", recorded from inside LIGGGHTS"
+             : when + ", sampled through the dumps of the plain liggghts";
+}
+
+std::string spoken_target(const Case& mill, const StepPlan& plan,
+                          const liggghts::StretchSteps& measuring) {
+  const auto revolutions = [&](long steps) {
+    return static_cast<double>(steps) /
+           static_cast<double>(plan.steps_per_revolution(mill.liner.sector.rows));
+  };
+  return fmt::format(
+      "a measurement ends once its rate is known to {:g} % at its peaks: after {:.4g} revolutions, "
+      "or {:.4g} more at a time, up to {:.4g}",
+      100.0 * mill.dem.error_target->relative_error, revolutions(measuring.measure_steps),
+      revolutions(measuring.go_on_steps), revolutions(measuring.most_measure_steps));
+}
+
+void print_charge(const Case& mill) {
+  fmt::print("Charge\n");
+  for (const auto& kind : mill.charge.classes)
+    fmt::print("  {:>10} of {:6.1f} mm {:>9}\n", kind.count, 1e3 * kind.diameter,
+               mill.materials[kind.material].name);
+  const auto charge = totals(mill);
+  fmt::print("  {:>10} particles, {:.3f} m3 solid, {:.2f} t in the slice\n", charge.particles,
+             charge.solid_volume, charge.mass / 1000.0);
+  fmt::print("  filling   {:.1f} % computed from the counts", 100.0 * filling_inside_plate(mill));
+  if (mill.charge.declared.total)
+    fmt::print(", {:.1f} % declared", 100.0 * *mill.charge.declared.total);
+  if (mill.charge.declared.balls)
+    fmt::print(" (balls {:.1f} % declared)", 100.0 * *mill.charge.declared.balls);
+  fmt::print("\n");
+}
+
+void print_check(const Case& mill, int ranks) {
+  const auto& sector = mill.liner.sector;
+  const auto plan = plan_steps(mill);
+  const auto mixing = liggghts::mixing_steps(mill, plan);
+  const auto measuring = liggghts::measuring_steps(mill, plan);
+  const auto cost = estimate_cost(mill, ranks);
+  fmt::print("{}: {:g} m inside the shell, {:g} m inside the new liner, slice of {:g} m\n",
+             mill.name, 2.0 * sector.shell_radius, 2.0 * sector.plate_radius, mill.slice_length);
+  fmt::print(
+      "Liner\n  {} lifters {:.1f} mm high, leading face {:.1f} deg off upright, plate {:.1f} mm\n",
+      sector.rows, 1e3 * lifter_height(mill.liner), leading_face_angle(mill.liner) / degree,
+      1e3 * plate_thickness(mill.liner));
+  fmt::print("Speed\n  {:.2f} rpm, {:.1f} % of critical\n", mill.speed * 30.0 / std::numbers::pi,
+             100.0 * critical_speed_fraction(mill));
+  print_charge(mill);
+  fmt::print("DEM\n  time step {:.3e} s, {:.0f} % of the shortest Rayleigh time {:.3e} s\n",
+             plan.time_step, 100.0 * plan.time_step / shortest_rayleigh_time(mill),
+             shortest_rayleigh_time(mill));
+  const auto range = [](const std::string& least, const std::string& most) {
+    return least == most ? least : least + " to " + most;
+  };
+  const char* const at_most = mill.dem.mix_until_steady ? "at most " : "";
+  fmt::print("  {} steps a revolution; mixing {}{} steps, each cycle {} steps\n",
+             plan.steps_per_revolution(sector.rows), at_most, mixing.total(),
+             range(std::to_string(measuring.total()), std::to_string(measuring.most_total())));
+  if (mill.dem.error_target) fmt::print("  {}\n", spoken_target(mill, plan, measuring));
+  fmt::print("  on {} ranks {}about {} to mix and {} a cycle (within a factor of three)\n", ranks,
+             at_most, spoken_time(cost.mixing),
+             range(spoken_time(cost.per_cycle), spoken_time(cost.per_cycle_most)));
+  fmt::print("  wall contacts {}\n", spoken_contact_path(mill));
+  for (const auto& warning : warnings(mill)) fmt::print("Warning: {}\n", warning);
+}
+
+}  // namespace
+
+void check_verb(const Command& command) {
+  const Case mill = read_case(command.case_file);
+  const int ranks = command.ranks.value_or(ranks_for(mill));
+  if (command.form == OutputForm::json)
+    fmt::print("{}\n", check_json(mill, ranks).dump(1));
+  else
+    print_check(mill, ranks);
+}
+
+}  // namespace millwear::orchestrator

@@ -1,0 +1,230 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "mill/case_file/case_file.h"
+#include "mill/base/failure.h"
+#include "mill/liner/profile_csv.h"
+#include "mill/base/published_file.h"
+#include "orchestrator/calibration/course_calibration.h"
+#include "orchestrator/calibration/course_comparison.h"
+#include "orchestrator/gauge/gauge_comparison.h"
+#include "orchestrator/gauge/gauge_folder.h"
+#include "mill/base/number_or_null.h"
+#include "orchestrator/report/course_plot.h"
+#include "orchestrator/campaign/run_folder.h"
+#include "orchestrator/app/verbs.h"
+
+namespace millwear::orchestrator {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using wear::ProfileDifference;
+
+constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
+constexpr double square_centimetres = 1e4;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+Json json_of(const ProfileDifference& difference) {
+  return {{"lifter_height_m", difference.lifter_height},
+          {"face_angle_rad", difference.face_angle},
+          {"plate_thickness_m", difference.plate_thickness},
+          {"signed_area_m2", difference.signed_area},
+          {"absolute_area_m2", difference.absolute_area},
+          {"rms_distance_m", difference.rms_distance},
+          {"hausdorff_m", difference.hausdorff}};
+}
+
+Json json_of(const GaugeReading& reading) {
+  return {{"lifter_height_m", number_or_null(reading.lifter_height)},
+          {"plate_thickness_m", number_or_null(reading.plate_thickness)},
+          {"face_angle_rad",
+           reading.profile ? Json(leading_face_angle(*reading.profile)) : Json(nullptr)},
+          {"error_m", reading.error}};
+}
+
+Json json_of(const std::vector<ReadingComparison>& comparisons) {
+  Json readings = Json::array();
+  for (const auto& [measured, predicted, difference] : comparisons) {
+    Json reading{{"operating_hours", measured.operating_hours}, {"measured", json_of(measured)}};
+    reading["predicted"] = predicted ? Json{{"lifter_height_m", predicted->lifter_height},
+                                            {"plate_thickness_m", predicted->plate_thickness},
+                                            {"face_angle_rad", predicted->face_angle},
+                                            {"profile_hours", predicted->profile_hours}}
+                                     : Json(nullptr);
+    reading["profile_difference"] = difference ? json_of(*difference) : Json(nullptr);
+    readings.push_back(std::move(reading));
+  }
+  return {{"readings", readings}, {"rms_height_m", number_or_null(rms_of_heights(comparisons))}};
+}
+
+/// A number in a column of nine, or a dash for NaN.
+std::string cell(double value, double per_unit) {
+  return std::isnan(value) ? fmt::format("{:>9}", "-") : fmt::format("{:9.1f}", per_unit * value);
+}
+
+double of(const std::optional<Prediction>& predicted, double Prediction::*value) {
+  return predicted ? (*predicted).*value : nan;
+}
+
+double of(const std::optional<ProfileDifference>& difference, double ProfileDifference::*value) {
+  return difference ? (*difference).*value : nan;
+}
+
+void print_row(const ReadingComparison& row) {
+  const GaugeReading& measured = row.measured;
+  const double height = measured.lifter_height.value_or(nan);
+  const double off = of(row.predicted, &Prediction::lifter_height) - height;
+  const double face = measured.profile ? leading_face_angle(*measured.profile) : nan;
+  const auto predicted = [&](double Prediction::*value, double per_unit) {
+    return cell(of(row.predicted, value), per_unit);
+  };
+  const auto between = [&](double ProfileDifference::*value, double per_unit) {
+    return cell(of(row.difference, value), per_unit);
+  };
+  fmt::print("{:9.1f} {} {} {} {}  {} {}  {} {}  {} {}  {} {}  {}\n", measured.operating_hours,
+             cell(height, 1e3), predicted(&Prediction::lifter_height, 1e3), cell(off, 1e3),
+             cell(off / measured.error, 1.0), cell(face, degrees_per_radian),
+             predicted(&Prediction::face_angle, degrees_per_radian),
+             cell(measured.plate_thickness.value_or(nan), 1e3),
+             predicted(&Prediction::plate_thickness, 1e3),
+             between(&ProfileDifference::signed_area, square_centimetres),
+             between(&ProfileDifference::absolute_area, square_centimetres),
+             between(&ProfileDifference::rms_distance, 1e3),
+             between(&ProfileDifference::hausdorff, 1e3),
+             row.difference ? predicted(&Prediction::profile_hours, 1.0) : cell(nan, 1.0));
+}
+
+void print_text(const std::vector<ReadingComparison>& comparisons) {
+  fmt::print("{:9} {:<39}  {:<19}  {:<19}  {:<19}  {:<19}\n", "", "lifter height [mm]",
+             "leading face [deg]", "plate [mm]", "section [cm2]", "distance [mm]");
+  fmt::print(
+      "{:>9} {:>9} {:>9} {:>9} {:>9}  {:>9} {:>9}  {:>9} {:>9}  {:>9} {:>9}  {:>9} {:>9}  "
+      "{:>9}\n",
+      "hours", "measured", "predicted", "diff", "in errors", "measured", "predicted", "measured",
+      "predicted", "signed", "absolute", "rms", "largest", "step at");
+  for (const auto& row : comparisons) print_row(row);
+  const double rms = rms_of_heights(comparisons);
+  if (std::isfinite(rms))
+    fmt::print("Heights differ by {:.1f} mm (rms). Differences are predicted less measured.\n",
+               1e3 * rms);
+  else
+    fmt::print("No reading lies within the hours of the campaign.\n");
+}
+
+void print_text(const ProfileDifference& difference) {
+  fmt::print(
+      "Lifter height     {:+.2f} mm\nLeading face      {:+.2f} deg\nPlate             {:+.2f} mm\n"
+      "Section, signed   {:+.2f} cm2\nSection, absolute {:.2f} cm2\n"
+      "Distance, rms     {:.2f} mm\nDistance, largest {:.2f} mm\n"
+      "Differences are the first less the second.\n",
+      1e3 * difference.lifter_height, degrees_per_radian * difference.face_angle,
+      1e3 * difference.plate_thickness, square_centimetres * difference.signed_area,
+      square_centimetres * difference.absolute_area, 1e3 * difference.rms_distance,
+      1e3 * difference.hausdorff);
+}
+
+/// Where a campaign's results lie: in its `results`, or beside its case where only they were kept.
+fs::path results_in(const RunFolder& folder) {
+  return fs::exists(folder.results() / "history.csv") ? folder.results() : folder.root;
+}
+
+/// Throws where the folder holds no campaign, or one of another liner.
+void check_same_liner(const Case& mill, const RunFolder& folder) {
+  if (!fs::exists(folder.locked_case()) || !fs::exists(results_in(folder) / "history.csv"))
+    throw Failure(ExitCode::usage,
+                  fmt::format("{}: no campaign with results is here; `millwear run {}` makes one, "
+                              "or name its folder with --out",
+                              folder.root.string(), mill.file.string()));
+  const LinerProfile liner = read_case(folder.locked_case()).liner;
+  const auto& sector = mill.liner.sector;
+  if (liner.nodes != mill.liner.nodes || liner.sector.rows != sector.rows ||
+      liner.sector.shell_radius != sector.shell_radius ||
+      liner.sector.plate_radius != sector.plate_radius)
+    throw InputError(fmt::format(
+        "{}: its new liner is not that of the campaign in {} ({} has that one in full); name the "
+        "campaign's folder with --out",
+        mill.file.string(), folder.root.string(), folder.locked_case().string()));
+}
+
+/// How far to calibrate [h]; none where neither the command nor the case says.
+std::optional<double> calibrate_until(const Command& command, const Case& mill) {
+  const auto until = command.calibrate_until ? command.calibrate_until : mill.gauge.calibrate_until;
+  return until == 0.0 ? std::nullopt : until;
+}
+
+void compare_calibrated(const Command& command, const Case& mill, const fs::path& results,
+                        const std::vector<GaugeReading>& readings, double until) {
+  CampaignCourse campaign{read_history_csv(results / "history.csv"), {}};
+  if (const auto replicates = results / "replicates.csv"; fs::exists(replicates))
+    campaign.replicates = read_replicates_csv(replicates);
+  const CalibratedCourse course = calibrated_course(
+      mill, campaign, readings, {until, command.gauge_on.value_or(GaugeOn::new_plate)});
+  if (command.csv) publish(*command.csv, course_csv(course));
+  if (command.plot) publish(*command.plot, course_png(course));
+  fmt::print("{}{}", command.form == OutputForm::json ? course_json(course) : course_text(course),
+             command.form == OutputForm::json ? "\n" : "");
+}
+
+void compare_as_run(const Command& command, const Case& mill, const fs::path& results,
+                    const std::vector<GaugeReading>& readings) {
+  const auto comparisons =
+      compare_with(readings, read_history_csv(results / "history.csv"),
+                   read_profiles_csv(results / "profiles.csv"), mill.liner.sector);
+  if (command.csv) publish(*command.csv, comparison_csv(comparisons));
+  if (command.form == OutputForm::json)
+    fmt::print("{}\n", json_of(comparisons).dump(1));
+  else
+    print_text(comparisons);
+}
+
+/// Throws Failure (usage) where an option asks for a calibration and there is none.
+void check_usage(const Command& command, const Case& mill) {
+  if (!command.gauge_on && !command.plot && !command.calibrate_until) return;
+  if (!command.compared_profiles.empty())
+    throw Failure(ExitCode::usage,
+                  "--profiles compares two profiles alone; leave --calibrate-until, --gauge-on and "
+                  "--plot out");
+  if ((command.gauge_on || command.plot) && !calibrate_until(command, mill))
+    throw Failure(ExitCode::usage,
+                  "--gauge-on and --plot are for calibrated hours; add --calibrate-until HOURS, or "
+                  "`calibrate_until_hours` in the case's [gauge]");
+}
+
+void compare_campaign(const Command& command, const Case& mill) {
+  const RunFolder folder{command.out.empty() ? fs::path("runs") / mill.name : command.out};
+  const auto readings = needed_readings_in(gauge_folder(mill, command.readings), mill);
+  check_same_liner(mill, folder);
+  if (const auto until = calibrate_until(command, mill))
+    compare_calibrated(command, mill, results_in(folder), readings, *until);
+  else
+    compare_as_run(command, mill, results_in(folder), readings);
+}
+
+void compare_profiles(const Command& command, const Case& mill) {
+  const auto& sector = mill.liner.sector;
+  const ProfileDifference difference =
+      wear::compare(read_profile_csv(command.compared_profiles.at(0), sector),
+                    read_profile_csv(command.compared_profiles.at(1), sector));
+  if (command.form == OutputForm::json)
+    fmt::print("{}\n", json_of(difference).dump(1));
+  else
+    print_text(difference);
+}
+
+}  // namespace
+
+void compare_verb(const Command& command) {
+  const Case mill = read_case(command.case_file);
+  check_usage(command, mill);
+  if (command.compared_profiles.empty())
+    compare_campaign(command, mill);
+  else
+    compare_profiles(command, mill);
+}
+
+}  // namespace millwear::orchestrator

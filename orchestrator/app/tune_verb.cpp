@@ -1,0 +1,139 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <stdlib.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+#include "liggghts_inputs/decks/deck.h"
+#include "mill/case_file/case_file.h"
+#include "mill/base/failure.h"
+#include "orchestrator/campaign/case_difference.h"
+#include "orchestrator/dem_run/child_process.h"
+#include "orchestrator/dem_run/cost_estimate.h"
+#include "orchestrator/campaign/ledger.h"
+#include "orchestrator/campaign/run_lock.h"
+#include "orchestrator/stages/stages.h"
+#include "orchestrator/dem_run/stretch_run.h"
+#include "orchestrator/dem_run/tuning_file.h"
+#include "orchestrator/app/verbs.h"
+#include "mill/base/whole_file.h"
+
+namespace millwear::orchestrator {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// How long a charge of the trial's own moves before it: thrown, landed and lifted again.
+constexpr double flight_revolutions = 0.25;
+constexpr double share_before_trial = 0.5;
+
+/// A folder for the trial alone, removed with this object.
+class ScratchFolder {
+ public:
+  ScratchFolder() {
+    std::string name = (fs::temp_directory_path() / "millwear_tune_XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr)
+      throw DiskError(
+          fmt::format("{}: no folder for the trial can be made ({}); name another "
+                      "place for it with TMPDIR",
+                      name, std::strerror(errno)));
+    path_ = name;
+  }
+  ~ScratchFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+/// The campaign's ledger up to its first mixing, where it has come to that.
+std::optional<Ledger> mixed_part(const RunFolder& folder) {
+  const auto ledger = read_ledger(folder.ledger());
+  if (!ledger || ledger->find({0, StageKind::mix}) == nullptr) return std::nullopt;
+  Ledger part{ledger->start, {}};
+  for (const StageKind kind : {StageKind::mesh, StageKind::mix})
+    if (const auto* const entry = ledger->find({0, kind})) part.entries.push_back(*entry);
+  return part;
+}
+
+/// Throws InputError unless mill, charge and contacts are those of the campaign in the folder.
+void check_same_charge(const Case& here, const RunFolder& folder) {
+  const Case there = read_case(folder.locked_case());
+  Case like_there = here;
+  like_there.wear = there.wear;
+  like_there.campaign = there.campaign;
+  like_there.dem = there.dem;
+  like_there.dem.modulus_reduction = here.dem.modulus_reduction;
+  like_there.dem.rayleigh_fraction = here.dem.rayleigh_fraction;
+  like_there.dem.longest_time_step = here.dem.longest_time_step;
+  like_there.dem.time_step = here.dem.time_step;
+  like_there.dem.rolling_friction = here.dem.rolling_friction;
+  like_there.dem.mesh_tolerance = here.dem.mesh_tolerance;
+  if (const auto texts = differences(like_there, there); !texts.empty())
+    throw InputError(fmt::format(
+        "{}: the mixed charge in {} is of another case; it differs in {}; name a folder without a "
+        "campaign with --out for a trial on a charge of its own",
+        here.file.string(), folder.root.string(), fmt::join(texts, ", ")));
+}
+
+void copy_stage(const RunFolder& from, const RunFolder& to, StageKind kind) {
+  const StageId stage{0, kind};
+  make_folder(to.stage(stage).parent_path());
+  fs::copy(from.stage(stage), to.stage(stage));
+}
+
+void run_one(const Campaign& campaign, StageKind kind, Progress& progress, double before,
+             double after) {
+  const StageId stage{0, kind};
+  stop_if_interrupted();
+  progress.begin(std::string(name_of(kind)), before, after);
+  static_cast<void>(run_stage(campaign, stage, progress));
+  progress.end();
+}
+
+/// A charge like the campaign's, in flight and in contact, in the trial's folder.
+void make_charge(Campaign campaign, Progress& progress) {
+  campaign.mill.dem.mix_revolutions = flight_revolutions;
+  campaign.mill.dem.mix_until_steady = false;
+  progress.say(fmt::format("a new charge moves for {:g} revolutions first", flight_revolutions));
+  run_one(campaign, StageKind::mesh, progress, 0.0, 0.0);
+  run_one(campaign, StageKind::mix, progress, 0.0, share_before_trial);
+}
+
+}  // namespace
+
+void tune_verb(const Command& command) {
+  const Case mill = read_case(command.case_file);
+  check_liggghts_is_installed(mill.dem.contact_path);
+  const RunFolder source{command.out.empty() ? fs::path("runs") / mill.name : command.out};
+  const auto kept = mixed_part(source);
+  std::optional<RunLock> lock;
+  if (kept) {
+    lock.emplace(source.lock());
+    check_same_charge(mill, source);
+    check_outputs(*kept, source.root);
+  }
+  const ScratchFolder scratch;
+  const Campaign campaign{mill, {scratch.path()}, command.ranks.value_or(ranks_for(mill))};
+  Progress progress(command.verbosity);
+  if (kept) {
+    progress.say(fmt::format("with the mixed charge of {}", source.root.string()));
+    copy_stage(source, campaign.folder, StageKind::mesh);
+    copy_stage(source, campaign.folder, StageKind::mix);
+  } else {
+    make_charge(campaign, progress);
+  }
+  run_one(campaign, StageKind::tune, progress, kept ? 0.0 : share_before_trial, 1.0);
+  const fs::path file = campaign.folder.stage({0, StageKind::tune}) / stage_files::tuning;
+  fmt::print("{}",
+             command.form == OutputForm::json ? read_file(file) : tuning_text(read_tuning(file)));
+}
+
+}  // namespace millwear::orchestrator

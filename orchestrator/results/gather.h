@@ -1,0 +1,11 @@
+#pragma once
+#include "orchestrator/results/report_data.h"
+#include "orchestrator/stages/stages.h"
+
+namespace millwear::orchestrator {
+
+/// Everything the published cycles tell, ready for the result files and the report.
+/// A cycle counts from the moment its wear stage is published.
+[[nodiscard]] ReportData gather(const Campaign& campaign, const Ledger& ledger);
+
+}  // namespace millwear::orchestrator

@@ -1,0 +1,77 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include "orchestrator/stages/stages.h"
+#include "wear/evolve/evolution.h"
+#include "wear/rate/load_rate.h"
+#include "wear/record/load_store.h"
+
+namespace millwear::orchestrator {
+namespace {
+
+/// `is_reversed`: the steps led to a reversal of the rotation.
+Outcome outcome_from_end(wear::EvolutionEnd end, bool is_reversed) {
+  switch (end) {
+    case wear::EvolutionEnd::load_spent:
+    case wear::EvolutionEnd::time_reached:
+      return is_reversed ? Outcome::reversed : Outcome::go_on;
+    case wear::EvolutionEnd::height_limit:
+      return Outcome::height_limit;
+    case wear::EvolutionEnd::plate_limit:
+      return Outcome::plate_limit;
+  }
+  throw std::logic_error("an end of no kind");
+}
+
+constexpr int loads_that_count = 3;
+
+/// The loads of a cycle and of those before it that its wear depends on, and the newest as bins.
+struct LoadsOfCycle {
+  std::vector<wear::TimedLoad> timed;
+  wear::LoadRate newest;
+};
+
+LoadsOfCycle loads_of_cycle(const Campaign& campaign, int cycle) {
+  const int first =
+      campaign.mill.campaign.scheme == Scheme::threshold
+          ? cycle
+          : std::max(first_cycle_of_rotation(campaign, cycle), cycle + 1 - loads_that_count);
+  std::vector<wear::TimedLoad> timed;
+  for (int i = first;; ++i) {
+    const wear::LoadRate rate = wear::rate_of_load(
+        campaign.mill,
+        wear::read_load(campaign.folder.stage({i, StageKind::dem}) / stage_files::load));
+    timed.push_back(timed_load(campaign, i, milling_time_before(campaign, i), rate));
+    if (i == cycle) return {std::move(timed), rate};
+  }
+}
+
+}  // namespace
+
+Outcome wear_stage(const Campaign& campaign, int cycle, const std::filesystem::path& into) {
+  const auto& mill = campaign.mill;
+  const LoadsOfCycle loads = loads_of_cycle(campaign, cycle);
+  const wear::LoadRate& rate = loads.newest;
+  const auto& reversals = mill.campaign.reversal_times;
+  const double begin = milling_time_before(campaign, cycle);
+  const Rotation rotation = rotation_after(reversals, begin);
+  const auto evolution = wear::evolve(
+      loads.timed, lifter_area(mill.liner), mill.campaign,
+      time_to_reversal(reversals, begin).value_or(std::numeric_limits<double>::infinity()));
+  double end = begin;
+  KeptCycle kept{rate.smoothed.moved_share, rate.raw.dot(rate.load.bin_widths()), {}};
+  for (const auto& step : evolution.steps) {
+    kept.steps.push_back({step.duration, step.removed_area, step.accounted_area, step.fallen_area,
+                          as_turned(step.profile, rotation)});
+    end += step.duration;
+  }
+  write_cycle(into / stage_files::steps, kept);
+  return outcome_from_end(evolution.end,
+                          reversals_by(reversals, end) > reversals_by(reversals, begin));
+}
+
+}  // namespace millwear::orchestrator

@@ -1,0 +1,27 @@
+#pragma once
+#include <string>
+
+#include "mill/case/case.h"
+#include "mill/load/wall_load.h"
+#include "recorder/options/recording_plan.h"
+#include "wear/record/measurement_goal.h"
+
+namespace millwear::recorder {
+
+/// What follows where a measurement that may go on has come to its last step.
+struct NextPiece {
+  wear::MeasurementGoal goal;
+  long steps;          ///< to go on by; 0: it ends here
+  long expected_step;  ///< where it is likely to end
+};
+
+/// Goes on by `by_steps` while the peaks are not known well enough and `at_most` is not reached.
+/// `load` is that of all ranks up to `plan.last_step`; the law and the smoothing are the case's.
+/// Throws as `rate_of_load` does.
+[[nodiscard]] NextPiece next_piece(const Case& mill, const RecordingPlan& plan,
+                                   const WallLoad& load);
+
+/// The line for the log; whoever follows it finds "going on to step A, perhaps to B" in it.
+[[nodiscard]] std::string spoken(const RecordingPlan& plan, const NextPiece& next);
+
+}  // namespace millwear::recorder

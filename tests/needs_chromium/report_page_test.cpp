@@ -1,0 +1,166 @@
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "mill/base/published_file.h"
+#include "orchestrator/report/report.h"
+#include "tests/support/synthetic_campaign.h"
+
+namespace millwear::orchestrator {
+namespace {
+
+/// The page's elements after its scripts have run in a browser without a window.
+std::string drawn(const std::string& page, const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  publish(folder / "report.html", page);
+  const std::string command =
+      std::string(CHROMIUM) +
+      " --headless --no-sandbox --disable-gpu --disable-quic --no-first-run"
+      " --disable-background-networking --disable-component-update --disable-sync"
+      " --user-data-dir=" +
+      (folder / "browser").string() +
+      " --window-size=1280,3000 --virtual-time-budget=4000 --dump-dom file://" +
+      (folder / "report.html").string() + " 2>/dev/null";
+  const std::unique_ptr<FILE, int (*)(FILE*)> output(::popen(command.c_str(), "r"), ::pclose);
+  std::string text;
+  std::array<char, 65536> part{};
+  while (const auto count = std::fread(part.data(), 1, part.size(), output.get()))
+    text.append(part.data(), count);
+  return text;
+}
+
+std::size_t count_of(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+class ReportPage : public ::testing::Test {
+ protected:
+  void TearDown() override { std::filesystem::remove_all(folder); }
+
+  const std::filesystem::path folder =
+      std::filesystem::path(::testing::TempDir()) / ("report_page_" + std::to_string(::getpid()));
+};
+
+std::string part_between(const std::string& text, const std::string& from, const std::string& to) {
+  const auto start = text.find(from);
+  return start == std::string::npos ? "" : text.substr(start, text.find(to, start) - start);
+}
+
+// 3 cycles of 2 steps and the new liner: 7 profiles and 7 rows; 120 bins.
+TEST_F(ReportPage, DrawsEveryProfileBinAndRow) {
+  const auto page = drawn(report_html(synthetic_campaign(3, 2)), folder);
+  const auto over_time = part_between(page, "id=\"profiles-over-time\"", "<figcaption");
+  EXPECT_EQ(count_of(over_time, "class=\"profile"), 7u);
+  EXPECT_EQ(count_of(part_between(page, "id=\"bins-drawing\"", "<figcaption"), "<circle"), 120u);
+  EXPECT_EQ(count_of(part_between(page, "id=\"history-table\"", "</section>"), "<tr"), 8u);
+  EXPECT_EQ(count_of(part_between(page, "id=\"load-cycle\"", "</select>"), "<option"), 3u);
+  EXPECT_EQ(count_of(page, "NaN"), count_of(report_html(synthetic_campaign(3, 2)), "NaN"));
+}
+
+// Cycle 0 has 13 classes on the liner and three pairs of materials, each chart a line for them all.
+TEST_F(ReportPage, DrawsImpactsByClassAndByPairOfMaterials) {
+  const auto page = drawn(report_html(synthetic_campaign(3, 2)), folder);
+  const auto lines = [&](const std::string& chart) {
+    return count_of(part_between(page, "id=\"" + chart + "\"", "</svg>"), "class=\"series");
+  };
+  EXPECT_EQ(lines("liner-normal-chart"), 14u);
+  EXPECT_EQ(lines("liner-shear-chart"), 14u);
+  EXPECT_EQ(lines("particles-normal-chart"), 4u);
+  EXPECT_EQ(lines("particles-shear-chart"), 4u);
+  EXPECT_EQ(count_of(part_between(page, "id=\"impacts-table\"", "</section>"), "<tr"), 17u);
+  EXPECT_EQ(count_of(part_between(page, "id=\"impacts-cycle\"", "</select>"), "<option"), 3u);
+}
+
+TEST_F(ReportPage, DrawsMeasuredProfilesBesideThePredicted) {
+  auto campaign = synthetic_campaign(3, 2);
+  campaign.measured_profiles = {{5112, campaign.profiles.at(2).nodes},
+                                {6312, campaign.profiles.at(4).nodes}};
+  campaign.measured.at(1).error = 0.002;
+  const auto page = drawn(report_html(campaign), folder);
+  const auto over_time = part_between(page, "id=\"profiles-over-time\"", "</svg>");
+  EXPECT_EQ(count_of(over_time, "class=\"gauge\""), 2u);
+  EXPECT_EQ(count_of(over_time, "measured at"), 2u);
+  // One of a reading, and one of every predicted height.
+  EXPECT_EQ(count_of(part_between(page, "id=\"height-chart\"", "</svg>"), "class=\"error\""),
+            1u + campaign.history.size());
+}
+
+// Three predicted moments with a band, the line, and readings that are held out or not.
+TEST_F(ReportPage, DrawsTheCalibratedPredictionWhereThereIsOne) {
+  auto campaign = synthetic_campaign(3, 2);
+  EXPECT_EQ(drawn(report_html(campaign), folder).find("<h2>Against the gauge</h2>"),
+            std::string::npos);
+  CalibratedCourse course{};
+  course.until = 5112.0;
+  course.factor = {0.9, {0.85, 0.95}};
+  course.fresh_height = 0.215;
+  course.line_rate = 2.5e-5;
+  course.curve = {{0.0, {0.215, {0.215, 0.215}}},
+                  {5112.0, {0.088 - 1e-12, {0.084, 0.092}}},
+                  {7000.0, {0.032, {0.026, 0.038}}}};
+  course.readings = {
+      {5112.0, CourseUse::calibrated, 0.088, 0.002, course.curve[1].height, 0.0872, {}, {}},
+      {7152.0, CourseUse::held_out, 0.030, 0.002, {}, 0.0362, {}, {}}};
+  course.verdict = "Nothing to judge by.";
+  course.remarks = {"1 reading is after the last liner"};
+  campaign.calibrated = course;
+  const auto page = drawn(report_html(campaign), folder);
+  const auto chart = part_between(page, "id=\"calibrated-chart\"", "</svg>");
+  EXPECT_EQ(count_of(chart, "class=\"series"), 2u);
+  EXPECT_EQ(count_of(chart, "fill: rgb(174, 191, 208)"), 1u);
+  EXPECT_EQ(count_of(chart, "<circle"), 2u);
+  const auto table = part_between(page, "id=\"calibrated-table\"", "</section>");
+  EXPECT_EQ(count_of(table, "<tr"), 3u);
+  EXPECT_NE(table.find("84.0 to 92.0"), std::string::npos);
+  EXPECT_EQ(table.find("−0.0"), std::string::npos);
+  EXPECT_NE(table.find("1 reading is after the last liner"), std::string::npos);
+  EXPECT_NE(page.find("Nothing to judge by."), std::string::npos);
+}
+
+// First cycle against last, in twelve rows; three lines of shares, and hits new and worn.
+TEST_F(ReportPage, HoldsTheChargeOnTheNewLinerAgainstTheWorn) {
+  const auto page = drawn(report_html(synthetic_campaign(3, 2)), folder);
+  const auto table = part_between(page, "id=\"motion-table\"", "</section>");
+  EXPECT_EQ(count_of(table, "<tr"), 13u);
+  EXPECT_EQ(count_of(table, "<th"), 1u + 6u);
+  EXPECT_NE(table.find("Cycle 0"), std::string::npos);
+  EXPECT_NE(table.find("Cycle 2"), std::string::npos);
+  const auto lines = [&](const std::string& chart) {
+    return count_of(part_between(page, "id=\"" + chart + "\"", "</svg>"), "class=\"series");
+  };
+  EXPECT_EQ(lines("motion-chart"), 3u);
+  EXPECT_EQ(lines("hit-power-chart"), 1u);
+  EXPECT_EQ(lines("hits-around-chart"), 2u);
+}
+
+// With the dumps nothing is known of the motion: what is left of the table is toe, shoulder, power.
+TEST_F(ReportPage, LeavesOutTheMotionThatWasNotRecorded) {
+  auto campaign = synthetic_campaign(3, 2);
+  for (auto& motion : campaign.motion) motion = {motion.cycle, wear::unknown_motion(), {}};
+  const auto page = drawn(report_html(campaign), folder);
+  EXPECT_EQ(count_of(part_between(page, "id=\"motion-table\"", "</section>"), "<tr"), 4u);
+  EXPECT_NE(part_between(page, "id=\"hits-around-chart\"", "</figure>").find("Not recorded"),
+            std::string::npos);
+  EXPECT_NE(part_between(page, "id=\"motion-chart\"", "</figure>").find("Not recorded"),
+            std::string::npos);
+}
+
+// A campaign before its first result: the page still says what it is and draws nothing.
+TEST_F(ReportPage, OfAnEmptyCampaignSaysSo) {
+  auto campaign = synthetic_campaign(0, 1);
+  campaign.measured.clear();
+  const auto page = drawn(report_html(campaign), folder);
+  EXPECT_NE(page.find("No profile was published yet."), std::string::npos);
+  EXPECT_NE(page.find("The liner has not been worn yet."), std::string::npos);
+  EXPECT_EQ(count_of(part_between(page, "<main>", "</main>"), "<svg"), 0u);
+}
+
+}  // namespace
+}  // namespace millwear::orchestrator

@@ -1,0 +1,54 @@
+#include "mill/base/text_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "mill/case_file/case_schema_check.h"
+#include "mill/base/failure.h"
+
+namespace millwear {
+namespace {
+
+std::string refusal(std::string_view text) {
+  try {
+    check_plain_text(text, "x.toml");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(PlainText, TakesUtf8AndLineBreaks) {
+  EXPECT_EQ(refusal("a = 1\r\n\tb = \"M\xc3\xbchle \xe2\x82\xac \xf0\x9f\x94\xa9\"\n"), "");
+}
+
+TEST(PlainText, RefusesControlCharactersByLine) {
+  EXPECT_THAT(refusal("a\nb\x1b[31m"), testing::StartsWith("x.toml:2: not plain text (byte 0x1b"));
+  EXPECT_NE(refusal(std::string_view("a\0b", 3)), "");
+  EXPECT_NE(refusal("\x7f"), "");
+}
+
+// Overlong, surrogate, beyond U+10FFFF, cut short, a lone continuation, Latin-1.
+TEST(PlainText, RefusesWhatIsNotUtf8) {
+  for (const std::string text : {"\xc0\xaf", "\xe0\x80\xaf", "\xed\xa0\x80", "\xf4\x90\x80\x80",
+                                 "\xe2\x82", "\x80", "M\xfchle"}) {
+    EXPECT_THAT(refusal(text), testing::HasSubstr("not UTF-8")) << in_quotes(text);
+  }
+}
+
+TEST(InQuotes, ShowsNoRawBytes) {
+  EXPECT_EQ(in_quotes("a\nb\x1b"), "`a\\x0ab\\x1b`");
+  EXPECT_EQ(in_quotes(std::string(100, 'x')).size(), 45U);
+}
+
+TEST(NearestWord, FindsSlipsOfThePen) {
+  const std::vector<std::string_view> known = {"rows", "speed_rpm", "shell_diameter_m"};
+  EXPECT_EQ(nearest_word("shell_diameter_mm", known), "shell_diameter_m");
+  EXPECT_EQ(nearest_word("row", known), "rows");
+  EXPECT_EQ(nearest_word("porosity", known), "");
+}
+
+}  // namespace
+}  // namespace millwear

@@ -1,0 +1,147 @@
+#include <gmock/gmock.h>
+
+#include <filesystem>
+
+#include "mill/case_file/case_file.h"
+#include "mill/case_file/case_lock.h"
+#include "mill/base/failure.h"
+#include "orchestrator/results/history.h"
+#include "orchestrator/results/profiles.h"
+#include "orchestrator/results/replicates.h"
+#include "orchestrator/app/verbs.h"
+#include "tests/support/temporary_folder.h"
+
+namespace millwear::orchestrator {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+
+const fs::path pilot = fs::path(MILLWEAR_CASES) / "pilot_mill" / "case.toml";
+
+/// The pilot mill's lifter of 40 mm, worn by 10 mm in each of three steps of 100 h.
+std::vector<HistoryRow> history() {
+  std::vector<HistoryRow> rows;
+  for (int step = 0; step <= 3; ++step) {
+    HistoryRow row{};
+    row.step = step;
+    row.operating_hours = 100.0 * step;
+    row.lifter_height = 0.04 - 0.01 * step;
+    row.plate_thickness = 0.02;
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+/// Read at 200 and 300 h: half as fast.
+class CompareVerb : public testing::Test {
+ protected:
+  void SetUp() override {
+    fs::create_directory(folder.path() / "gauge");
+    put_text(folder.path() / "gauge" / "gauge_readings.csv",
+             "# millwear gauge readings 1\n"
+             "operating_hours,lifter_height_m,plate_thickness_m,profile_csv,error_m\n"
+             "200,0.03,,,0.001\n300,0.0245,,,0.001\n");
+  }
+
+  /// The small files of a campaign, without its loads.
+  void keep_results(const fs::path& results) const {
+    fs::create_directories(results);
+    put_text(results / "history.csv", history_csv(history()));
+    put_text(folder.path() / "case.lock.toml", locked_case_text(read_case(pilot)));
+  }
+
+  void keep_replicates(const fs::path& results) const {
+    std::vector<ReplicateRow> rows;
+    for (const auto& row : history())
+      rows.push_back({row.cycle, row.step, row.operating_hours,
+                      Eigen::VectorXd::Constant(50, row.lifter_height),
+                      Eigen::VectorXd::Constant(50, row.plate_thickness)});
+    put_text(results / "replicates.csv", replicates_csv(rows));
+  }
+
+  Command command() const {
+    Command made{};
+    made.verb = Verb::compare;
+    made.case_file = pilot;
+    made.out = folder.path();
+    made.readings = folder.path() / "gauge";
+    made.calibrate_until = 250.0;
+    return made;
+  }
+
+  static std::string printed(const Command& command) {
+    testing::internal::CaptureStdout();
+    compare_verb(command);
+    std::fflush(stdout);
+    return testing::internal::GetCapturedStdout();
+  }
+
+  const TemporaryFolder folder;
+};
+
+TEST_F(CompareVerb, CalibratesAlongSmallFilesThatLieInTheFolderItself) {
+  keep_results(folder.path());
+  const std::string text = printed(command());
+  EXPECT_THAT(text, HasSubstr("times 0.5,"));
+  EXPECT_THAT(text, HasSubstr("prediction off by 0.5 mm (rms), straight line by 0.5 mm"));
+  EXPECT_THAT(text, HasSubstr("has no replicates.csv"));
+}
+
+TEST_F(CompareVerb, CalibratesAlongTheResultsOfACampaign) {
+  keep_results(folder.path() / "results");
+  keep_replicates(folder.path() / "results");
+  Command with_files = command();
+  with_files.form = OutputForm::json;
+  with_files.csv = folder.path() / "course.csv";
+  const std::string json = printed(with_files);
+  EXPECT_THAT(json, HasSubstr("\"calibrated_until_hours\": 250.0"));
+  EXPECT_THAT(json, Not(HasSubstr("replicates.csv")));
+  EXPECT_THAT(text_of(*with_files.csv),
+              testing::StartsWith("# millwear calibrated comparison 1\noperating_hours,use,"));
+  EXPECT_THAT(text_of(*with_files.csv), HasSubstr("\n300,held out,0.0245,0.001,0.025,0.02"));
+}
+
+TEST_F(CompareVerb, DrawsAPicture) {
+  keep_results(folder.path());
+  Command drawing = command();
+  drawing.plot = folder.path() / "course.png";
+  printed(drawing);
+  EXPECT_THAT(text_of(*drawing.plot), testing::StartsWith("\x89PNG"));
+}
+
+TEST_F(CompareVerb, ComparesAsRunWhereNothingSaysHowFarToCalibrate) {
+  keep_results(folder.path());
+  put_text(folder.path() / "profiles.csv", profiles_csv({}));
+  Command as_run = command();
+  as_run.calibrate_until = 0.0;
+  EXPECT_THAT(printed(as_run), HasSubstr("Heights differ by"));
+}
+
+TEST_F(CompareVerb, RefusesOptionsOfACalibrationThatIsNotAskedFor) {
+  keep_results(folder.path());
+  Command without = command();
+  without.calibrate_until.reset();
+  without.gauge_on = GaugeOn::plate;
+  EXPECT_THAT(failure_of<Failure>([&] { compare_verb(without); }),
+              HasSubstr("add --calibrate-until HOURS"));
+  Command profiles = command();
+  profiles.compared_profiles = {"a.csv", "b.csv"};
+  EXPECT_THAT(failure_of<Failure>([&] { compare_verb(profiles); }), HasSubstr("leave"));
+}
+
+TEST_F(CompareVerb, RefusesAFolderWithoutResultsAndWritesNothing) {
+  Command command = this->command();
+  command.csv = folder.path() / "course.csv";
+  EXPECT_THAT(failure_of<Failure>([&] { compare_verb(command); }),
+              HasSubstr("no campaign with results is here"));
+  keep_results(folder.path());
+  command.calibrate_until = 100.0;
+  EXPECT_THAT(failure_of<Failure>([&] { compare_verb(command); }),
+              HasSubstr("the first is of 200 h"));
+  EXPECT_FALSE(fs::exists(*command.csv));
+}
+
+}  // namespace
+}  // namespace millwear::orchestrator

@@ -1,0 +1,65 @@
+#include "wear/evolve/load_in_time.h"
+
+#include <algorithm>
+
+#include "mill/base/failure.h"
+
+namespace millwear::wear {
+namespace {
+
+constexpr double clearly = 2.0;
+
+const TimedLoad& newest_of(std::span<const TimedLoad> loads) {
+  if (loads.empty()) throw InputError("a liner wears under a load; there is none");
+  return loads.back();
+}
+
+}  // namespace
+
+std::span<const TimedLoad> in_use(std::span<const TimedLoad> loads, Scheme scheme) {
+  return scheme == Scheme::threshold && loads.size() > 1 ? loads.last(1) : loads;
+}
+
+LoadInTime::LoadInTime(std::span<const TimedLoad> loads)
+    : newest_(newest_of(loads)), carrier_(newest_.profile, newest_.rate.values.size()) {
+  if (loads.size() < 2) return;
+  previous_ = loads[loads.size() - 2];
+  if (!(previous_->time < newest_.time)) {
+    throw InputError("the loads on a wearing liner have to be in the order of their times");
+  }
+  previous_onto_newest_ = LoadCarrier(previous_->profile, previous_->rate.values.size())
+                              .onto_bins(newest_.profile, newest_.rate.values.size());
+  const ZonedLoad after = zoned(newest_, newest_.profile);
+  const ZonedLoad before = zoned(*previous_, newest_.profile);
+  const double difference = (after.rate - before.rate).squaredNorm();
+  const double noise = (after.variance + before.variance).sum();
+  believed_ = difference > 0.0 ? std::max(0.0, 1.0 - clearly * noise / difference) : 0.0;
+}
+
+double LoadInTime::share_of_previous(double time) const {
+  if (!previous_) return 0.0;
+  return -believed_ * (time - newest_.time) / (newest_.time - previous_->time);
+}
+
+Eigen::MatrixXd LoadInTime::sum(double time, const Eigen::MatrixXd& newest,
+                                const Eigen::MatrixXd& previous) const {
+  const double share = share_of_previous(time);
+  if (share == 0.0) return newest;
+  return (1.0 - share) * newest + share * (previous_onto_newest_ * previous);
+}
+
+Eigen::VectorXd LoadInTime::rate(double time) const {
+  if (!previous_) return newest_.rate.values;
+  return sum(time, newest_.rate.values, previous_->rate.values).cwiseMax(0.0);
+}
+
+ZonedLoad LoadInTime::predicted(const LinerProfile& worn, double time) const {
+  const double share = share_of_previous(time);
+  ZonedLoad load = zoned(newest_, worn);
+  if (share == 0.0) return load;
+  const ZonedLoad before = zoned(*previous_, worn);
+  return {(1.0 - share) * load.rate + share * before.rate,
+          (1.0 - share) * (1.0 - share) * load.variance + share * share * before.variance};
+}
+
+}  // namespace millwear::wear

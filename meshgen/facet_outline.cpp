@@ -9,6 +9,7 @@
 #include <span>
 
 #include "mill/base/failure.h"
+#include "mill/liner/profile_crossing.h"
 
 namespace millwear::meshgen {
 namespace {

@@ -11,8 +11,9 @@
 #include "meshgen/dxf_polyline.h"
 #include "meshgen/gmsh_kernel.h"
 #include "mill/base/failure.h"
-#include "mill/liner/mill_frame.h"
 #include "mill/base/published_file.h"
+#include "mill/liner/mill_frame.h"
+#include "mill/liner/profile_measures.h"
 
 namespace millwear::meshgen {
 namespace {

@@ -10,6 +10,7 @@
 
 #include "mill/base/failure.h"
 #include "mill/liner/mill_frame.h"
+#include "mill/liner/profile_measures.h"
 
 namespace millwear::liggghts {
 namespace {

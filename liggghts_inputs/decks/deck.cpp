@@ -9,6 +9,7 @@
 
 #include "deck_templates.h"
 #include "liggghts_inputs/decks/deck_template.h"
+#include "mill/liner/profile_measures.h"
 #include "mill/load/steady_mixing.h"
 
 namespace millwear::liggghts {

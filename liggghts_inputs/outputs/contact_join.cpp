@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
-#include "mill/load/contact_motion.h"
 #include "mill/base/failure.h"
+#include "mill/load/contact_motion.h"
 
 namespace millwear::liggghts {
 namespace {

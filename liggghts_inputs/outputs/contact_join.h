@@ -4,8 +4,8 @@
 #include <map>
 #include <vector>
 
-#include "liggghts_inputs/outputs/snapshot_reader.h"
 #include "liggghts_inputs/decks/stretch.h"
+#include "liggghts_inputs/outputs/snapshot_reader.h"
 #include "mill/case/case.h"
 #include "mill/case/liner_friction.h"
 #include "mill/load/wall_contacts.h"

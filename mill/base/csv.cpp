@@ -11,7 +11,7 @@
 
 #include "mill/base/failure.h"
 
-namespace millwear::orchestrator {
+namespace millwear {
 namespace {
 
 constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
@@ -107,4 +107,4 @@ std::size_t CsvFields::one_of(std::span<const std::string_view> words) {
   return static_cast<std::size_t>(found - words.begin());
 }
 
-}  // namespace millwear::orchestrator
+}  // namespace millwear

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace millwear::orchestrator {
+namespace millwear {
 
 /// What the two first lines of a table must be: `# NAME VERSION` and the names of its columns.
 struct CsvFormat {
@@ -54,4 +54,4 @@ class CsvFields {
   std::size_t next_ = 0;
 };
 
-}  // namespace millwear::orchestrator
+}  // namespace millwear

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-namespace millwear::orchestrator {
+namespace millwear {
 
 /// A number in JSON, which has neither NaN nor infinity: null stands for both.
 [[nodiscard]] inline nlohmann::json number_or_null(double value) {
@@ -15,4 +15,4 @@ namespace millwear::orchestrator {
   return value ? number_or_null(*value) : nlohmann::json(nullptr);
 }
 
-}  // namespace millwear::orchestrator
+}  // namespace millwear

@@ -6,8 +6,8 @@
 #include <charconv>
 #include <cmath>
 
-#include "mill/base/text_file.h"
 #include "mill/base/failure.h"
+#include "mill/base/text_file.h"
 
 namespace millwear {
 namespace {

@@ -8,7 +8,7 @@
 #include "mill/base/failure.h"
 #include "mill/base/whole_file.h"
 
-namespace millwear::orchestrator {
+namespace millwear {
 
 /// What `parse` makes of a JSON file of this type and format version. Throws DiskError where it
 /// cannot be read, and ResultRejected, naming it, where it is another or cannot be understood.
@@ -28,4 +28,4 @@ auto read_versioned_json(const std::filesystem::path& file, std::string_view typ
   }
 }
 
-}  // namespace millwear::orchestrator
+}  // namespace millwear

@@ -7,7 +7,7 @@
 
 #include "mill/base/failure.h"
 
-namespace millwear::orchestrator {
+namespace millwear {
 
 void write_file(const std::filesystem::path& file, std::string_view text) {
   std::ofstream out(file, std::ios::binary);
@@ -24,4 +24,12 @@ std::string read_file(const std::filesystem::path& file) {
   return text.str();
 }
 
-}  // namespace millwear::orchestrator
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code problem;
+  std::filesystem::create_directories(folder, problem);
+  if (problem)
+    throw DiskError(fmt::format("{}: no folder can be made here ({}); give another with --out",
+                                folder.string(), problem.message()));
+}
+
+}  // namespace millwear

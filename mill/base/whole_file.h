@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace millwear::orchestrator {
+namespace millwear {
 
 /// Writes a whole file, as a stage does into a folder that is published later. Throws DiskError.
 void write_file(const std::filesystem::path& file, std::string_view text);
@@ -11,4 +11,7 @@ void write_file(const std::filesystem::path& file, std::string_view text);
 /// Reads a whole file. Throws DiskError.
 [[nodiscard]] std::string read_file(const std::filesystem::path& file);
 
-}  // namespace millwear::orchestrator
+/// Makes a folder and those above it. Throws DiskError.
+void make_folder(const std::filesystem::path& folder);
+
+}  // namespace millwear

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "mill/case/charge.h"
-#include "mill/liner/liner_profile.h"
 #include "mill/case/wear_mechanism.h"
+#include "mill/liner/liner_profile.h"
 
 namespace millwear {
 
@@ -92,8 +92,8 @@ struct DemSettings {
   std::optional<double> time_step{};  ///< wanted [s], in place of the share of the Rayleigh time
   std::optional<ErrorTarget> error_target{};  ///< recorder only
   bool tune = false;  ///< a campaign chooses `skin` and `rank_split` by a trial; they are not given
-  bool mix_until_steady = false;  ///< mixing ends once it is steady (mill/load/steady_mixing.h; recorder
-                                  ///< only), with `mix_revolutions` the most
+  bool mix_until_steady = false;  ///< mixing ends once it is steady (mill/load/steady_mixing.h;
+                                  ///< recorder only), with `mix_revolutions` the most
 };
 
 /// How the sampled load is smoothed along the profile. docs/physics.md has both.

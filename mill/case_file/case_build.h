@@ -15,20 +15,7 @@ namespace millwear {
                                                     const std::vector<Material>& materials,
                                                     CaseProblems& problems);
 
-/// The liner as new: parametric, from a CSV beside the case file, or from listed nodes.
-[[nodiscard]] LinerProfile build_liner(const CaseDocument& document, CaseProblems& problems);
-
-/// Particle classes from counts, or from fillings and distributions; largest first.
-[[nodiscard]] Charge build_charge(const CaseDocument& document,
-                                  const std::vector<Material>& materials, const LinerSector& sector,
-                                  CaseProblems& problems);
-
 [[nodiscard]] DemSettings build_dem(const CaseDocument& document);
-
-/// The wear law, of [wear] itself or of [[wear.mechanisms]], and its bins and blocks.
-[[nodiscard]] WearSettings build_wear(const CaseDocument& document,
-                                      const std::vector<Material>& materials,
-                                      CaseProblems& problems);
 
 [[nodiscard]] CampaignSettings build_campaign(const CaseDocument& document, CaseProblems& problems);
 

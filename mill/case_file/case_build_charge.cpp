@@ -1,3 +1,5 @@
+#include "mill/case_file/case_build_charge.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>

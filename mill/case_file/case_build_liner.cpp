@@ -1,8 +1,9 @@
+#include "mill/case_file/case_build_liner.h"
+
 #include <fmt/format.h>
 
 #include <array>
 
-#include "mill/case_file/case_build.h"
 #include "mill/case/case_units.h"
 #include "mill/case_file/case_values.h"
 #include "mill/liner/parametric_lifter.h"

@@ -1,9 +1,11 @@
+#include "mill/case_file/case_build_wear.h"
+
 #include <fmt/format.h>
 
 #include <array>
 
-#include "mill/case_file/case_build.h"
 #include "mill/case/case_units.h"
+#include "mill/case_file/case_build.h"
 #include "mill/case_file/case_values.h"
 
 namespace millwear {

@@ -8,8 +8,10 @@
 #include <numbers>
 #include <set>
 
-#include "mill/load/steady_mixing.h"
 #include "mill/case/time_step.h"
+#include "mill/liner/profile_crossing.h"
+#include "mill/liner/profile_measures.h"
+#include "mill/load/steady_mixing.h"
 
 namespace millwear {
 namespace {

@@ -1,10 +1,13 @@
 #include "mill/case_file/case_file.h"
 
-#include "mill/case_file/case_build.h"
-#include "mill/case_file/case_checks.h"
-#include "mill/case_file/case_schema_check.h"
 #include "mill/base/text_file.h"
 #include "mill/case/case_units.h"
+#include "mill/case_file/case_build.h"
+#include "mill/case_file/case_build_charge.h"
+#include "mill/case_file/case_build_liner.h"
+#include "mill/case_file/case_build_wear.h"
+#include "mill/case_file/case_checks.h"
+#include "mill/case_file/case_schema_check.h"
 #include "mill/case_file/case_values.h"
 
 namespace millwear {

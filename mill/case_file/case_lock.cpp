@@ -6,8 +6,8 @@
 #include <iterator>
 #include <optional>
 
-#include "mill/case_file/case_schema.h"
 #include "mill/case/case_units.h"
+#include "mill/case_file/case_schema.h"
 
 namespace millwear {
 namespace {

@@ -7,8 +7,8 @@
 #include <numeric>
 #include <optional>
 
-#include "mill/case_file/case_schema.h"
 #include "mill/base/text_file.h"
+#include "mill/case_file/case_schema.h"
 
 namespace millwear {
 namespace {

@@ -6,10 +6,12 @@
 #include <iterator>
 #include <string_view>
 
-#include "mill/base/text_file.h"
 #include "mill/base/failure.h"
-#include "mill/liner/profile_csv.h"
+#include "mill/base/text_file.h"
 #include "mill/base/user_table.h"
+#include "mill/liner/profile_crossing.h"
+#include "mill/liner/profile_csv.h"
+#include "mill/liner/profile_measures.h"
 
 namespace millwear {
 namespace {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mill/liner/liner_profile.h"
+#include "mill/liner/profile_measures.h"
 
 namespace millwear {
 

@@ -43,32 +43,7 @@ struct LinerProfile {
 /// length.
 [[nodiscard]] std::vector<double> arc_lengths(const LinerProfile& profile);
 
-/// Section of steel over one pitch, between the profile and the shell [m2].
-[[nodiscard]] double steel_area(const LinerProfile& profile);
-
-/// Section of the lifter alone [m2]: the steel that stands above the new plate.
-[[nodiscard]] double lifter_area(const LinerProfile& profile);
-
-/// Least distance of the profile from the mill's axis [m]: the crest of the lifter.
-[[nodiscard]] double crest_radius(const LinerProfile& profile);
-
-/// Height of the lifter [m]: how far its crest stands above where the plate was when new. It only
-/// falls, and below 0 the crest is under the new plate. The lift that the charge feels is this plus
-/// what the plate has lost.
-[[nodiscard]] double lifter_height(const LinerProfile& profile);
-
-/// Least thickness of steel over the shell anywhere on the profile [m].
-[[nodiscard]] double plate_thickness(const LinerProfile& profile);
-
-/// Mean inclination of the leading face against the radial direction [rad]: 0 stands upright, pi/2
-/// lies flat. The least-squares line through the face between 20 and 80 % of the lifter's height.
-[[nodiscard]] double leading_face_angle(const LinerProfile& profile);
-
 /// The same profile run backwards: xi changes sign. Used for the other sense of rotation.
 [[nodiscard]] LinerProfile mirrored(const LinerProfile& profile);
-
-/// Indices of the first pair of segments that cross (over the pitch and its two neighbours), or
-/// {-1, -1} where the profile is simple.
-[[nodiscard]] std::pair<int, int> first_crossing(const LinerProfile& profile);
 
 }  // namespace millwear

@@ -1,6 +1,6 @@
-#include <algorithm>
+#include "mill/liner/profile_crossing.h"
 
-#include "mill/liner/liner_profile.h"
+#include <algorithm>
 
 namespace millwear {
 namespace {

@@ -6,10 +6,10 @@
 #include <string>
 #include <string_view>
 
-#include "mill/base/text_file.h"
 #include "mill/base/failure.h"
-#include "mill/liner/profile_ends.h"
+#include "mill/base/text_file.h"
 #include "mill/base/user_table.h"
+#include "mill/liner/profile_ends.h"
 
 namespace millwear {
 

@@ -1,9 +1,9 @@
+#include "mill/liner/profile_measures.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
-
-#include "mill/liner/liner_profile.h"
 
 namespace millwear {
 namespace {

@@ -3,13 +3,14 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "mill/case_file/case_file.h"
-#include "mill/case/case_units.h"
-#include "mill/base/published_file.h"
-#include "orchestrator/calibration/calibrated_law.h"
-#include "orchestrator/gauge/gauge_folder.h"
 #include "mill/base/number_or_null.h"
+#include "mill/base/published_file.h"
+#include "mill/case/case_units.h"
+#include "mill/case_file/case_file.h"
 #include "orchestrator/app/verbs.h"
+#include "orchestrator/calibration/calibrated_law.h"
+#include "orchestrator/calibration/calibration_text.h"
+#include "orchestrator/gauge/gauge_folder.h"
 
 namespace millwear::orchestrator {
 namespace {

@@ -4,11 +4,12 @@
 #include <numbers>
 
 #include "liggghts_inputs/decks/stretch.h"
-#include "mill/case_file/case_file.h"
-#include "mill/case/case_warnings.h"
-#include "orchestrator/dem_run/cost_estimate.h"
 #include "mill/base/number_or_null.h"
+#include "mill/case_file/case_file.h"
+#include "mill/case_file/case_warnings.h"
+#include "mill/liner/profile_measures.h"
 #include "orchestrator/app/verbs.h"
+#include "orchestrator/dem_run/cost_estimate.h"
 
 namespace millwear::orchestrator {
 namespace {

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "mill/base/failure.h"
-#include "orchestrator/app/version.h"
+#include "mill/base/version.h"
 
 namespace millwear::orchestrator {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "orchestrator/gauge/import_options.h"
 #include "orchestrator/dem_run/progress.h"
+#include "orchestrator/gauge/import_options.h"
 #include "orchestrator/results/calibrated_course.h"
 
 namespace millwear::orchestrator {

@@ -5,18 +5,19 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "mill/case_file/case_file.h"
 #include "mill/base/failure.h"
-#include "mill/liner/profile_csv.h"
+#include "mill/base/number_or_null.h"
 #include "mill/base/published_file.h"
+#include "mill/case_file/case_file.h"
+#include "mill/liner/profile_csv.h"
+#include "mill/liner/profile_measures.h"
+#include "orchestrator/app/verbs.h"
 #include "orchestrator/calibration/course_calibration.h"
 #include "orchestrator/calibration/course_comparison.h"
+#include "orchestrator/campaign/run_folder.h"
 #include "orchestrator/gauge/gauge_comparison.h"
 #include "orchestrator/gauge/gauge_folder.h"
-#include "mill/base/number_or_null.h"
 #include "orchestrator/report/course_plot.h"
-#include "orchestrator/campaign/run_folder.h"
-#include "orchestrator/app/verbs.h"
 
 namespace millwear::orchestrator {
 namespace {

@@ -3,12 +3,13 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "mill/case_file/case_file.h"
 #include "mill/base/failure.h"
+#include "mill/base/number_or_null.h"
+#include "mill/case_file/case_file.h"
+#include "mill/liner/profile_measures.h"
+#include "orchestrator/app/verbs.h"
 #include "orchestrator/gauge/gauge_folder.h"
 #include "orchestrator/gauge/gauge_import.h"
-#include "mill/base/number_or_null.h"
-#include "orchestrator/app/verbs.h"
 
 namespace millwear::orchestrator {
 namespace {

@@ -8,8 +8,8 @@
 #include <exception>
 
 #include "mill/base/failure.h"
-#include "orchestrator/dem_run/child_process.h"
 #include "orchestrator/app/verbs.h"
+#include "orchestrator/dem_run/child_process.h"
 
 namespace {
 

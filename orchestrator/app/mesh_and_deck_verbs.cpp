@@ -3,15 +3,16 @@
 
 #include <nlohmann/json.hpp>
 
+#include "mill/base/whole_file.h"
 #include "mill/case_file/case_file.h"
 #include "mill/case_file/case_lock.h"
 #include "mill/liner/profile_csv.h"
-#include "orchestrator/dem_run/cost_estimate.h"
-#include "orchestrator/campaign/mesh_facts.h"
-#include "orchestrator/dem_run/mixing.h"
-#include "orchestrator/stages/stages.h"
 #include "orchestrator/app/verbs.h"
-#include "mill/base/whole_file.h"
+#include "orchestrator/campaign/campaign.h"
+#include "orchestrator/campaign/mesh_files.h"
+#include "orchestrator/dem_run/cost_estimate.h"
+#include "orchestrator/dem_run/mixing.h"
+#include "orchestrator/dem_run/stretch_stages.h"
 
 namespace millwear::orchestrator {
 namespace {

@@ -9,25 +9,29 @@
 #include <optional>
 #include <utility>
 
+#include "mill/base/failure.h"
+#include "mill/base/number_or_null.h"
+#include "mill/base/published_file.h"
+#include "mill/base/version.h"
+#include "mill/base/whole_file.h"
 #include "mill/case_file/case_file.h"
 #include "mill/case_file/case_lock.h"
-#include "mill/case/case_warnings.h"
-#include "mill/base/failure.h"
-#include "mill/base/published_file.h"
-#include "orchestrator/campaign/campaign.h"
+#include "mill/case_file/case_warnings.h"
+#include "mill/liner/profile_measures.h"
+#include "orchestrator/app/verbs.h"
+#include "orchestrator/calibration/course_calibration.h"
+#include "orchestrator/campaign/lowered_limits.h"
+#include "orchestrator/campaign/run_lock.h"
+#include "orchestrator/campaign/stage_order.h"
 #include "orchestrator/dem_run/child_process.h"
 #include "orchestrator/dem_run/cost_estimate.h"
-#include "orchestrator/calibration/course_calibration.h"
-#include "orchestrator/results/gather.h"
-#include "orchestrator/gauge/gauge_folder.h"
-#include "orchestrator/campaign/lowered_limits.h"
-#include "mill/base/number_or_null.h"
-#include "orchestrator/results/result_files.h"
-#include "orchestrator/campaign/run_lock.h"
+#include "orchestrator/dem_run/measured.h"
 #include "orchestrator/dem_run/stretch_run.h"
-#include "orchestrator/app/verbs.h"
-#include "orchestrator/app/version.h"
-#include "mill/base/whole_file.h"
+#include "orchestrator/gauge/gauge_folder.h"
+#include "orchestrator/report/report_files.h"
+#include "orchestrator/results/gather.h"
+#include "orchestrator/results/result_files.h"
+#include "orchestrator/stages/run_stage.h"
 
 namespace millwear::orchestrator {
 namespace {
@@ -185,7 +189,7 @@ ReportData publish_campaign(const Command& command, const Campaign& campaign,
   ReportData data = gather(campaign, ledger);
   add_readings_of(command, campaign.mill, data);
   publish_results(campaign, ledger, data);
-  publish_report(campaign, data);
+  publish_report(campaign.folder.report(), data);
   return data;
 }
 
@@ -193,7 +197,7 @@ ReportData publish_campaign(const Command& command, const Campaign& campaign,
 void publish_pictures_if_possible(const Campaign& campaign, const ReportData& data,
                                   Progress& progress) {
   try {
-    publish_pictures(campaign, data);
+    publish_pictures(campaign.folder.results(), data);
   } catch (const ExternalProgramError& problem) {
     progress.say(std::string("no pictures in results/: ") + problem.what());
   }

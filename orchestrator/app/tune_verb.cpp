@@ -7,18 +7,21 @@
 #include <cstring>
 
 #include "liggghts_inputs/decks/deck.h"
-#include "mill/case_file/case_file.h"
 #include "mill/base/failure.h"
+#include "mill/base/whole_file.h"
+#include "mill/case_file/case_file.h"
+#include "orchestrator/app/verbs.h"
+#include "orchestrator/campaign/campaign.h"
 #include "orchestrator/campaign/case_difference.h"
+#include "orchestrator/campaign/ledger.h"
+#include "orchestrator/campaign/mesh_files.h"
+#include "orchestrator/campaign/run_lock.h"
 #include "orchestrator/dem_run/child_process.h"
 #include "orchestrator/dem_run/cost_estimate.h"
-#include "orchestrator/campaign/ledger.h"
-#include "orchestrator/campaign/run_lock.h"
-#include "orchestrator/stages/stages.h"
 #include "orchestrator/dem_run/stretch_run.h"
+#include "orchestrator/dem_run/tune_stage.h"
 #include "orchestrator/dem_run/tuning_file.h"
-#include "orchestrator/app/verbs.h"
-#include "mill/base/whole_file.h"
+#include "orchestrator/stages/run_stage.h"
 
 namespace millwear::orchestrator {
 namespace {

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "mill/case_file/case_file.h"
-#include "mill/base/published_file.h"
 #include "mill/base/number_or_null.h"
-#include "orchestrator/calibration/reapplied_law.h"
+#include "mill/base/published_file.h"
+#include "mill/case_file/case_file.h"
 #include "orchestrator/app/verbs.h"
+#include "orchestrator/calibration/reapplied_law.h"
 
 namespace millwear::orchestrator {
 namespace {

@@ -8,10 +8,11 @@
 #include <limits>
 
 #include "mill/base/failure.h"
+#include "mill/liner/profile_measures.h"
 #include "orchestrator/calibration/campaign_path.h"
+#include "orchestrator/calibration/reapplied_law.h"
 #include "orchestrator/campaign/case_difference.h"
 #include "orchestrator/campaign/kept_campaign.h"
-#include "orchestrator/calibration/reapplied_law.h"
 #include "wear/calibrate/angular_zones.h"
 #include "wear/calibrate/path_prediction.h"
 

@@ -17,11 +17,9 @@ enum class ReadingUse {
   held_out,        ///< later than asked for: predicted from the earlier ones alone
   beyond_campaign  ///< more worn than the campaign's last liner by over two errors: left out
 };
-[[nodiscard]] std::string_view name_of(ReadingUse use);
 
 /// What a reading measured. A profile's section is fitted zone by zone, and shown as its sum.
 enum class MeasuredQuantity { lifter_height, plate_thickness, worn_section };
-[[nodiscard]] std::string_view name_of(MeasuredQuantity quantity);
 
 /// One measured value beside what is fitted or predicted for it; [m], of a section [m2]. NaN where
 /// there is none.
@@ -71,12 +69,5 @@ struct CalibratedLaw {
 [[nodiscard]] CalibratedLaw calibrate(const Case& mill, const RunFolder& folder,
                                       const std::vector<GaugeReading>& readings,
                                       std::optional<double> until = {});
-
-/// The lines of the case file's [wear] with the coefficients found, to six digits.
-[[nodiscard]] std::string wear_table(const CalibratedLaw& law);
-
-/// `readings` as a table: `operating_hours,quantity,use,measured,error,fitted,line,fitted_without,
-/// line_without`, in m and m2.
-[[nodiscard]] std::string calibration_csv(const CalibratedLaw& law);
 
 }  // namespace millwear::orchestrator

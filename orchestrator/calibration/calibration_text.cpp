@@ -1,3 +1,5 @@
+#include "orchestrator/calibration/calibration_text.h"
+
 #include <fmt/format.h>
 
 #include <array>
@@ -5,7 +7,6 @@
 #include <string>
 
 #include "mill/case_file/case_lock.h"
-#include "orchestrator/calibration/calibrated_law.h"
 
 namespace millwear::orchestrator {
 

@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 
 #include "mill/base/failure.h"
+#include "orchestrator/campaign/kept_cycle.h"
 #include "orchestrator/dem_run/measured.h"
 #include "wear/rate/load_rate.h"
-#include "wear/record/load_store.h"
+#include "wear/record/load_read.h"
 
 namespace millwear::orchestrator {
 namespace {

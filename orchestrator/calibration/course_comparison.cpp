@@ -7,9 +7,9 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "orchestrator/calibration/course_verdict.h"
-#include "mill/base/number_or_null.h"
 #include "mill/base/csv.h"
+#include "mill/base/number_or_null.h"
+#include "orchestrator/calibration/course_verdict.h"
 
 namespace millwear::orchestrator {
 namespace {

@@ -4,17 +4,19 @@
 #include <cmath>
 #include <limits>
 
+#include "mill/liner/profile_measures.h"
 #include "orchestrator/campaign/campaign.h"
 #include "orchestrator/campaign/case_difference.h"
 #include "orchestrator/campaign/kept_campaign.h"
+#include "orchestrator/campaign/kept_cycle.h"
+#include "orchestrator/campaign/stage_order.h"
 #include "orchestrator/dem_run/measured.h"
-#include "orchestrator/stages/stages.h"
 #include "wear/numerics/block_means.h"
 #include "wear/numerics/block_persistence.h"
-#include "wear/record/load_accumulator.h"
 #include "wear/rate/load_rate.h"
-#include "wear/record/load_store.h"
 #include "wear/rate/wear_law.h"
+#include "wear/record/load_accumulator.h"
+#include "wear/record/load_read.h"
 
 namespace millwear::orchestrator {
 namespace {

@@ -3,8 +3,8 @@
 
 #include "mill/case/case.h"
 #include "mill/load/wall_load.h"
-#include "orchestrator/results/wear_rates.h"
 #include "orchestrator/campaign/run_folder.h"
+#include "orchestrator/results/wear_rates.h"
 
 namespace millwear::orchestrator {
 

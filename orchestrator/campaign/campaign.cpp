@@ -1,59 +1,66 @@
 #include "orchestrator/campaign/campaign.h"
 
-#include <fmt/format.h>
+#include <algorithm>
+
+#include "mill/liner/profile_measures.h"
+#include "orchestrator/campaign/kept_cycle.h"
 
 namespace millwear::orchestrator {
-namespace {
 
-std::vector<StageKind> stages_of(int cycle, SpeedTrial trial, const Ledger& ledger) {
-  if (cycle == 0 && trial == SpeedTrial::after_first_mix)
-    return {StageKind::mesh, StageKind::mix, StageKind::tune, StageKind::dem, StageKind::wear};
-  const LedgerEntry* const before = ledger.find({cycle - 1, StageKind::wear});
-  if (cycle == 0 || (before != nullptr && before->outcome == Outcome::reversed))
-    return {StageKind::mesh, StageKind::mix, StageKind::dem, StageKind::wear};
-  return {StageKind::mesh, StageKind::dem, StageKind::wear};
+LinerProfile liner_of_cycle(const Campaign& campaign, int cycle) {
+  if (cycle == 0) return campaign.mill.liner;
+  const auto folder = campaign.folder.stage({cycle - 1, StageKind::wear});
+  const auto kept = read_cycle(folder / stage_files::steps, campaign.mill.liner.sector);
+  const bool was_worn_out_before = kept.steps.empty();
+  return was_worn_out_before ? liner_of_cycle(campaign, cycle - 1) : kept.steps.back().profile;
 }
 
-std::string reason_for(const StageId& stage, const Ledger& ledger) {
-  if (ledger.entries.empty()) return "the campaign is new";
-  const auto& last = ledger.entries.back();
-  if (last.outcome == Outcome::reversed)
-    return fmt::format("the mill was reversed after {}", name_of(last.stage));
-  if (stage.kind == StageKind::mesh)
-    return fmt::format("{} left the liner above its limits", name_of(last.stage));
-  return fmt::format("{} is published and this is not", name_of(last.stage));
+Rotation rotation_of_cycle(const Campaign& campaign, int cycle) {
+  const auto& times = campaign.mill.campaign.reversal_times;
+  if (times.empty()) return Rotation::as_new;
+  return rotation_after(times, milling_time_before(campaign, cycle));
 }
 
-}  // namespace
-
-CampaignPlan plan_of(const Case& mill) {
-  return {mill.campaign.cycle_limit,
-          mill.dem.tune ? SpeedTrial::after_first_mix : SpeedTrial::none};
+LinerProfile dem_liner_of_cycle(const Campaign& campaign, int cycle) {
+  return as_turned(liner_of_cycle(campaign, cycle), rotation_of_cycle(campaign, cycle));
 }
 
-Outcome outcome_of(const Ledger& ledger) {
-  const auto last = ledger.entries.empty() ? Outcome::go_on : ledger.entries.back().outcome;
-  return last == Outcome::reversed ? Outcome::go_on : last;
+int first_cycle_of_rotation(const Campaign& campaign, int cycle) {
+  const auto& times = campaign.mill.campaign.reversal_times;
+  if (times.empty()) return 0;
+  const auto reversals_before = [&](int of) {
+    return reversals_by(times, milling_time_before(campaign, of));
+  };
+  int first = cycle;
+  while (first > 0 && reversals_before(first - 1) == reversals_before(cycle)) --first;
+  return first;
 }
 
-std::optional<NextStage> next_stage(const Ledger& ledger, const CampaignPlan& plan) {
-  if (outcome_of(ledger) != Outcome::go_on) return std::nullopt;
-  for (int cycle = 0; cycle < plan.cycle_limit; ++cycle)
-    for (const StageKind kind : stages_of(cycle, plan.trial, ledger)) {
-      const StageId stage{cycle, kind};
-      if (ledger.find(stage) == nullptr) return NextStage{stage, reason_for(stage, ledger)};
-    }
-  return std::nullopt;
-}
-
-Ledger run_campaign(Ledger ledger, const CampaignPlan& plan, const CampaignEffects& effects) {
-  while (const auto next = next_stage(ledger, plan)) {
-    const LedgerEntry entry = effects.run_stage(next->stage);
-    effects.record(entry);
-    ledger.entries.push_back(entry);
-    if (next->stage.kind == StageKind::wear) effects.after_cycle(ledger);
+double milling_time_before(const Campaign& campaign, int cycle) {
+  double time = 0.0;
+  for (int i = 0; i < cycle; ++i) {
+    const auto folder = campaign.folder.stage({i, StageKind::wear});
+    for (const auto& step :
+         read_cycle(folder / stage_files::steps, campaign.mill.liner.sector).steps)
+      time += step.duration;
   }
-  return ledger;
+  return time;
+}
+
+wear::TimedLoad timed_load(const Campaign& campaign, int cycle, double time,
+                           const wear::LoadRate& rate) {
+  return {time, dem_liner_of_cycle(campaign, cycle), rate.smoothed.rate, rate.by_block};
+}
+
+double share_of_life(const Case& mill, const LinerProfile& liner) {
+  const auto gone = [](double now, double fresh, double limit) {
+    return fresh > limit ? (fresh - now) / (fresh - limit) : 1.0;
+  };
+  return std::clamp(
+      std::max(
+          gone(lifter_height(liner), lifter_height(mill.liner), mill.campaign.height_limit),
+          gone(plate_thickness(liner), plate_thickness(mill.liner), mill.campaign.plate_limit)),
+      0.0, 1.0);
 }
 
 }  // namespace millwear::orchestrator

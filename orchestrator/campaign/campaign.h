@@ -1,49 +1,41 @@
 #pragma once
-#include <functional>
-#include <optional>
-#include <string>
-
 #include "mill/case/case.h"
-#include "orchestrator/campaign/ledger.h"
-#include "orchestrator/campaign/stage.h"
+#include "mill/liner/rotation.h"
+#include "orchestrator/campaign/run_folder.h"
+#include "wear/evolve/timed_load.h"
+#include "wear/rate/load_rate.h"
 
 namespace millwear::orchestrator {
 
-/// What a campaign does next, and why.
-struct NextStage {
-  StageId stage;
-  std::string why;
+/// What every stage of a campaign needs to know.
+struct Campaign {
+  Case mill;
+  RunFolder folder;
+  int ranks;
 };
 
-/// Whether a campaign chooses its neighbour skin and how the ranks share the mill by a trial.
-enum class SpeedTrial { none, after_first_mix };
+/// The liner that a cycle begins with: the new one, or what the cycle before left. In the steel's
+/// frame, xi along the rotation when the liner was new.
+[[nodiscard]] LinerProfile liner_of_cycle(const Campaign& campaign, int cycle);
 
-/// What the case says of the order of stages.
-struct CampaignPlan {
-  int cycle_limit;
-  SpeedTrial trial = SpeedTrial::none;
-};
+/// Which way the mill turns during a cycle.
+[[nodiscard]] Rotation rotation_of_cycle(const Campaign& campaign, int cycle);
 
-[[nodiscard]] CampaignPlan plan_of(const Case& mill);
+/// The same liner in the DEM's frame, xi along the rotation of the cycle: mesh, deck and load are
+/// on this one.
+[[nodiscard]] LinerProfile dem_liner_of_cycle(const Campaign& campaign, int cycle);
 
-/// The first stage of the campaign that the ledger does not have; std::nullopt once a cycle has
-/// reached a limit or `cycle_limit` cycles are done. Each cycle goes mesh, dem, wear, with mix
-/// before the first dem and before the first after a reversal: the mirrored steel may stand where
-/// the last charge lies. A trial of speed comes once, after the first mix.
-[[nodiscard]] std::optional<NextStage> next_stage(const Ledger& ledger, const CampaignPlan& plan);
+/// The first cycle with the rotation of this one: its DEM begins with a new charge.
+[[nodiscard]] int first_cycle_of_rotation(const Campaign& campaign, int cycle);
 
-/// How the campaign stands: the limit it ended at, or go_on.
-[[nodiscard]] Outcome outcome_of(const Ledger& ledger);
+/// Time that the mill has milled when a cycle's load is measured, since its liner was new [s].
+[[nodiscard]] double milling_time_before(const Campaign& campaign, int cycle);
 
-/// What the campaign does to the world; tests put a fake in its place.
-struct CampaignEffects {
-  std::function<LedgerEntry(const StageId&)> run_stage;  ///< runs and publishes a stage
-  std::function<void(const LedgerEntry&)> record;        ///< appends to the ledger on disk
-  std::function<void(const Ledger&)> after_cycle;        ///< results so far
-};
+/// The load of a cycle on its liner; `time` is when it was measured, `milling_time_before` [s].
+[[nodiscard]] wear::TimedLoad timed_load(const Campaign& campaign, int cycle, double time,
+                                         const wear::LoadRate& rate);
 
-/// Runs stage after stage until there is none left; returns the finished ledger. Whatever an effect
-/// throws leaves every published stage in the ledger, and a later call goes on from there.
-Ledger run_campaign(Ledger ledger, const CampaignPlan& plan, const CampaignEffects& effects);
+/// Share of the way from the new lifter to its limit, 0 ... 1, that a liner has gone.
+[[nodiscard]] double share_of_life(const Case& mill, const LinerProfile& liner);
 
 }  // namespace millwear::orchestrator

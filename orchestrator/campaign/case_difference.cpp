@@ -7,8 +7,8 @@
 #include <sstream>
 #include <utility>
 
-#include "mill/case_file/case_lock.h"
 #include "mill/base/failure.h"
+#include "mill/case_file/case_lock.h"
 
 namespace millwear::orchestrator {
 namespace {

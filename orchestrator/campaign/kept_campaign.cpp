@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "mill/case_file/case_file.h"
 #include "mill/base/failure.h"
+#include "mill/case_file/case_file.h"
 
 namespace millwear::orchestrator {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
+#include "orchestrator/campaign/campaign.h"
 #include "orchestrator/campaign/ledger.h"
 #include "orchestrator/campaign/run_folder.h"
-#include "orchestrator/stages/stages.h"
 
 namespace millwear::orchestrator {
 

@@ -1,7 +1,7 @@
 #include "orchestrator/campaign/lowered_limits.h"
 
 #include "mill/case_file/case_lock.h"
-#include "orchestrator/campaign/campaign.h"
+#include "orchestrator/campaign/stage_order.h"
 
 namespace millwear::orchestrator {
 

@@ -5,7 +5,6 @@
 #include <array>
 
 #include "mill/base/failure.h"
-#include "orchestrator/campaign/run_folder.h"
 
 namespace millwear::orchestrator {
 namespace {
@@ -21,10 +20,6 @@ Enum value_named(const std::array<std::string_view, N>& names, std::string_view 
   throw ResultRejected(fmt::format("\"{}\" is none of: {}", name, fmt::join(names, ", ")));
 }
 
-std::filesystem::path cycle_folder(const std::filesystem::path& root, int cycle) {
-  return root / fmt::format("cycle_{:03}", cycle);
-}
-
 }  // namespace
 
 std::string_view name_of(StageKind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
@@ -38,23 +33,5 @@ StageKind stage_kind_from(std::string_view name) {
   return value_named<StageKind>(kind_names, name);
 }
 Outcome outcome_from(std::string_view name) { return value_named<Outcome>(outcome_names, name); }
-
-std::filesystem::path RunFolder::stage(const StageId& id) const {
-  return cycle_folder(root, id.cycle) / name_of(id.kind);
-}
-std::filesystem::path RunFolder::partial_stage(const StageId& id) const {
-  return cycle_folder(root, id.cycle) / fmt::format(".{}.partial", name_of(id.kind));
-}
-
-void check_outside(const std::filesystem::path& file, const RunFolder& folder) {
-  const std::filesystem::path from_folder =
-      std::filesystem::weakly_canonical(file).lexically_relative(
-          std::filesystem::weakly_canonical(folder.root));
-  if (from_folder.empty() || *from_folder.begin() == "..") return;
-  throw Failure(ExitCode::usage,
-                fmt::format("--csv {}: this is among the campaign's own files in {}; name a file "
-                            "elsewhere",
-                            file.string(), folder.root.string()));
-}
 
 }  // namespace millwear::orchestrator

@@ -15,7 +15,6 @@ namespace millwear::orchestrator {
 namespace {
 
 constexpr int measured_version = 3;
-constexpr int steps_version = 1;
 using nlohmann::json;
 
 double number_from(const json& value) {
@@ -55,19 +54,6 @@ wear::MotionMeasures motion_from(const json& document) {
           .bare_hit_power = estimate("bare_hit_power_w"),
           .bare_hit_falling_power = estimate("bare_hit_falling_side_power_w"),
           .bare_hit_plate_power = estimate("bare_hit_plate_power_w")};
-}
-
-json nodes_json(const LinerProfile& profile) {
-  json nodes = json::array();
-  for (const auto& node : profile.nodes) nodes.push_back({node.x(), node.y()});
-  return nodes;
-}
-
-LinerProfile profile_from(const json& nodes, const LinerSector& sector) {
-  LinerProfile profile{sector, {}};
-  for (const auto& node : nodes)
-    profile.nodes.emplace_back(node.at(0).get<double>(), node.at(1).get<double>());
-  return profile;
 }
 
 /// What a target that was missed would take.
@@ -156,37 +142,6 @@ Measured read_measured(const std::filesystem::path& file) {
         optional_from(document.at("target_relative_error")),
         motion_from(document.at("motion"))};
   });
-}
-
-void write_cycle(const std::filesystem::path& file, const KeptCycle& cycle) {
-  json steps = json::array();
-  for (const auto& step : cycle.steps)
-    steps.push_back({{"duration_s", step.duration},
-                     {"removed_area_m2", step.removed_area},
-                     {"accounted_area_m2", step.accounted_area},
-                     {"fallen_area_m2", step.fallen_area},
-                     {"nodes_m", nodes_json(step.profile)}});
-  const json document = {{"type", "millwear geometry steps"},
-                         {"format_version", steps_version},
-                         {"smoothing_moved_share", cycle.smoothing_moved_share},
-                         {"worn_by_load_m2_per_s", cycle.worn_by_load},
-                         {"steps", steps}};
-  write_file(file, document.dump() + "\n");
-}
-
-KeptCycle read_cycle(const std::filesystem::path& file, const LinerSector& sector) {
-  return read_versioned_json(
-      file, "millwear geometry steps", steps_version, [&](const json& document) {
-        KeptCycle cycle{document.at("smoothing_moved_share").get<double>(),
-                        document.at("worn_by_load_m2_per_s").get<double>(),
-                        {}};
-        for (const auto& step : document.at("steps"))
-          cycle.steps.push_back(
-              {step.at("duration_s").get<double>(), step.at("removed_area_m2").get<double>(),
-               step.at("accounted_area_m2").get<double>(), step.at("fallen_area_m2").get<double>(),
-               profile_from(step.at("nodes_m"), sector)});
-        return cycle;
-      });
 }
 
 }  // namespace millwear::orchestrator

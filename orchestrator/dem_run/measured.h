@@ -5,7 +5,6 @@
 #include <string_view>
 #include <vector>
 
-#include "mill/liner/liner_profile.h"
 #include "wear/record/charge_motion.h"
 #include "wear/record/charge_position.h"
 
@@ -40,29 +39,9 @@ enum class MeasurementEnd {
 /// "measured for 1.5 revolutions, rate at its peaks known to 4.6 % (target 5 %)"
 [[nodiscard]] std::string spoken_end(const Measured& measured);
 
-/// Files of a stage, written into a folder that is published later. They throw DiskError where a
-/// file cannot be written, and ResultRejected where one cannot be understood.
+/// `measured.json`, written into a folder that is published later. Throws DiskError where the file
+/// cannot be written, and ResultRejected where it cannot be understood.
 void write_measured(const std::filesystem::path& file, const Measured& measured);
 [[nodiscard]] Measured read_measured(const std::filesystem::path& file);
-
-/// One geometry step as it is kept.
-struct KeptStep {
-  double duration;        ///< [s]
-  double removed_area;    ///< from the profiles [m2]
-  double accounted_area;  ///< from the bins of the load [m2]
-  double fallen_area;     ///< pieces that lost their hold and fell off [m2]
-  LinerProfile profile;   ///< after the step
-};
-
-/// All steps of one cycle.
-struct KeptCycle {
-  double smoothing_moved_share;
-  double worn_by_load;  ///< rate of loss summed over the bins of the raw load [m2/s]
-  std::vector<KeptStep> steps;
-};
-
-void write_cycle(const std::filesystem::path& file, const KeptCycle& cycle);
-/// `sector` is where the profiles belong.
-[[nodiscard]] KeptCycle read_cycle(const std::filesystem::path& file, const LinerSector& sector);
 
 }  // namespace millwear::orchestrator

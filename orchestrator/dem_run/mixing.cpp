@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "mill/base/whole_file.h"
 #include "mill/case/time_step.h"
 #include "orchestrator/campaign/run_folder.h"
-#include "mill/base/whole_file.h"
 
 namespace millwear::orchestrator {
 

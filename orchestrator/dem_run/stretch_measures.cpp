@@ -10,9 +10,9 @@
 #include "mill/base/failure.h"
 #include "mill/base/whole_file.h"
 #include "wear/numerics/block_means.h"
-#include "wear/record/load_accumulator.h"
 #include "wear/rate/load_rate.h"
 #include "wear/rate/smoothing_error.h"
+#include "wear/record/load_accumulator.h"
 
 namespace millwear::orchestrator {
 namespace {

@@ -1,20 +1,24 @@
+#include "orchestrator/dem_run/stretch_stages.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "liggghts_inputs/decks/charge_packing.h"
-#include "liggghts_inputs/outputs/contact_join.h"
 #include "liggghts_inputs/decks/deck.h"
+#include "liggghts_inputs/outputs/contact_join.h"
+#include "liggghts_inputs/outputs/stretch_log.h"
 #include "mill/base/failure.h"
-#include "orchestrator/campaign/mesh_facts.h"
+#include "mill/base/whole_file.h"
+#include "orchestrator/campaign/mesh_files.h"
 #include "orchestrator/dem_run/mixing.h"
-#include "orchestrator/stages/stages.h"
 #include "orchestrator/dem_run/stretch_measures.h"
 #include "orchestrator/dem_run/stretch_progress.h"
 #include "orchestrator/dem_run/stretch_run.h"
-#include "mill/base/whole_file.h"
+#include "orchestrator/dem_run/tune_stage.h"
 #include "wear/record/load_accumulator.h"
-#include "wear/record/load_store.h"
+#include "wear/record/load_read.h"
+#include "wear/record/load_write.h"
 
 namespace millwear::orchestrator {
 namespace {

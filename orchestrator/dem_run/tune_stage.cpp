@@ -1,15 +1,18 @@
+#include "orchestrator/dem_run/tune_stage.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "liggghts_inputs/decks/deck.h"
 #include "liggghts_inputs/outputs/run_summary.h"
+#include "liggghts_inputs/outputs/stretch_log.h"
 #include "mill/base/failure.h"
+#include "mill/base/whole_file.h"
 #include "mill/case/time_step.h"
-#include "orchestrator/campaign/mesh_facts.h"
-#include "orchestrator/stages/stages.h"
+#include "orchestrator/campaign/mesh_files.h"
+#include "orchestrator/campaign/run_folder.h"
 #include "orchestrator/dem_run/stretch_run.h"
 #include "orchestrator/dem_run/tuning_file.h"
-#include "mill/base/whole_file.h"
 
 namespace millwear::orchestrator {
 namespace {

@@ -6,8 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "mill/base/failure.h"
 #include "mill/base/csv.h"
+#include "mill/base/failure.h"
+#include "mill/liner/profile_measures.h"
 
 namespace millwear::orchestrator {
 namespace {

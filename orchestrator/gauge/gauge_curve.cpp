@@ -8,8 +8,8 @@
 #include <set>
 
 #include "meshgen/dxf_polyline.h"
-#include "mill/base/text_file.h"
 #include "mill/base/failure.h"
+#include "mill/base/text_file.h"
 #include "mill/base/user_table.h"
 
 namespace millwear::orchestrator {

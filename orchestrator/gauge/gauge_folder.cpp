@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "mill/base/failure.h"
+#include "mill/liner/profile_measures.h"
 #include "wear/gauge/profile_comparison.h"
 
 namespace millwear::orchestrator {

@@ -6,10 +6,13 @@
 #include <cmath>
 
 #include "mill/base/failure.h"
+#include "mill/base/published_file.h"
+#include "mill/liner/profile_crossing.h"
 #include "mill/liner/profile_csv.h"
 #include "mill/liner/profile_ends.h"
-#include "mill/base/published_file.h"
+#include "mill/liner/profile_measures.h"
 #include "orchestrator/gauge/gauge_folder.h"
+#include "wear/gauge/alignment_fit.h"
 #include "wear/gauge/scan_thinning.h"
 
 namespace millwear::orchestrator {

@@ -8,6 +8,7 @@
 #include "mill/liner/gauge_reading.h"
 #include "orchestrator/gauge/gauge_curve.h"
 #include "orchestrator/gauge/import_options.h"
+#include "wear/gauge/alignment_fit.h"
 #include "wear/gauge/profile_alignment.h"
 
 namespace millwear::orchestrator {

@@ -8,8 +8,8 @@
 
 #include "mill/base/published_file.h"
 #include "orchestrator/report/gnuplot.h"
-#include "orchestrator/results/measured_charge.h"
 #include "orchestrator/report/plot_style.h"
+#include "orchestrator/results/measured_charge.h"
 
 namespace millwear::orchestrator {
 namespace {

@@ -6,20 +6,22 @@
 #include <cmath>
 #include <numbers>
 
-#include "mill/case/case_warnings.h"
 #include "mill/case/time_step.h"
-#include "orchestrator/campaign/campaign.h"
-#include "orchestrator/results/impacts.h"
+#include "mill/case_file/case_warnings.h"
+#include "mill/liner/profile_measures.h"
+#include "orchestrator/campaign/kept_cycle.h"
+#include "orchestrator/campaign/stage_order.h"
 #include "orchestrator/dem_run/mixing.h"
+#include "orchestrator/results/impacts.h"
 #include "orchestrator/results/motion_of_cycle.h"
 #include "orchestrator/results/shaking_warning.h"
 #include "orchestrator/results/uncertainty.h"
+#include "wear/evolve/load_carrier.h"
 #include "wear/numerics/block_means.h"
 #include "wear/numerics/block_persistence.h"
-#include "wear/evolve/load_carrier.h"
 #include "wear/rate/load_rate.h"
-#include "wear/record/load_store.h"
 #include "wear/rate/smoothing_error.h"
+#include "wear/record/load_read.h"
 
 namespace millwear::orchestrator {
 namespace {

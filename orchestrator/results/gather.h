@@ -1,6 +1,7 @@
 #pragma once
+#include "orchestrator/campaign/campaign.h"
+#include "orchestrator/campaign/ledger.h"
 #include "orchestrator/results/report_data.h"
-#include "orchestrator/stages/stages.h"
 
 namespace millwear::orchestrator {
 

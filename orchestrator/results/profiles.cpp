@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "mill/base/failure.h"
 #include "mill/base/csv.h"
+#include "mill/base/failure.h"
 
 namespace millwear::orchestrator {
 namespace {

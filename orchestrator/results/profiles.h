@@ -6,7 +6,8 @@
 
 namespace millwear::orchestrator {
 
-/// The liner's surface after one geometry step, in the master frame (see mill/liner/liner_profile.h).
+/// The liner's surface after one geometry step, in the master frame (see
+/// mill/liner/liner_profile.h).
 struct ProfileRow {
   int cycle;
   int step;

@@ -5,8 +5,8 @@
 #include <charconv>
 #include <iterator>
 
-#include "mill/base/failure.h"
 #include "mill/base/csv.h"
+#include "mill/base/failure.h"
 
 namespace millwear::orchestrator {
 namespace {

@@ -4,20 +4,20 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "mill/case_file/case_lock.h"
-#include "mill/base/published_file.h"
-#include "orchestrator/campaign/campaign.h"
-#include "orchestrator/results/impacts.h"
 #include "mill/base/number_or_null.h"
-#include "orchestrator/report/plots.h"
-#include "orchestrator/report/report.h"
+#include "mill/base/published_file.h"
+#include "mill/base/version.h"
+#include "mill/base/whole_file.h"
+#include "mill/case_file/case_lock.h"
+#include "orchestrator/campaign/stage_order.h"
 #include "orchestrator/results/history.h"
+#include "orchestrator/results/impacts.h"
 #include "orchestrator/results/profiles.h"
 #include "orchestrator/results/replicates.h"
-#include "orchestrator/app/version.h"
-#include "mill/base/whole_file.h"
 #include "wear/record/load_accumulator.h"
+#include "wear/record/load_read.h"
 #include "wear/record/load_store.h"
+#include "wear/record/load_write.h"
 
 namespace millwear::orchestrator {
 namespace {
@@ -117,14 +117,6 @@ void publish_results(const Campaign& campaign, const Ledger& ledger, const Repor
   publish_loads(campaign, ledger);
   publish_spectra(campaign, ledger);
   publish(folder / "summary.json", summary_json(campaign, ledger, data));
-}
-
-void publish_report(const Campaign& campaign, const ReportData& data) {
-  publish(campaign.folder.report(), report_html(data));
-}
-
-void publish_pictures(const Campaign& campaign, const ReportData& data) {
-  write_plots(data, campaign.folder.results());
 }
 
 }  // namespace millwear::orchestrator

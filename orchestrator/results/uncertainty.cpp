@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mill/liner/profile_measures.h"
+#include "orchestrator/campaign/kept_cycle.h"
 #include "wear/numerics/arc_curve.h"
 #include "wear/numerics/random_stream.h"
 #include "wear/rate/smoothing_error.h"

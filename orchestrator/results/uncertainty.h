@@ -1,9 +1,10 @@
 #pragma once
 #include <vector>
 
+#include "orchestrator/campaign/campaign.h"
+#include "orchestrator/campaign/kept_cycle.h"
 #include "orchestrator/dem_run/measured.h"
 #include "orchestrator/results/report_data.h"
-#include "orchestrator/stages/stages.h"
 #include "wear/band/campaign_band.h"
 #include "wear/rate/load_rate.h"
 

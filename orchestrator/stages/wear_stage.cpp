@@ -1,3 +1,5 @@
+#include "orchestrator/stages/wear_stage.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -5,10 +7,11 @@
 #include <stdexcept>
 #include <utility>
 
-#include "orchestrator/stages/stages.h"
+#include "mill/liner/profile_measures.h"
+#include "orchestrator/campaign/kept_cycle.h"
 #include "wear/evolve/evolution.h"
 #include "wear/rate/load_rate.h"
-#include "wear/record/load_store.h"
+#include "wear/record/load_read.h"
 
 namespace millwear::orchestrator {
 namespace {

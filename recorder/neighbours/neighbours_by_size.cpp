@@ -6,8 +6,8 @@
 #include <map>
 #include <string>
 
-#include "recorder/neighbours/particle_neighbours.h"
 #include "recorder/liggghts/private_member.h"
+#include "recorder/neighbours/particle_neighbours.h"
 #include "recorder/neighbours/wall_neighbours.h"
 
 namespace millwear::recorder {

@@ -12,15 +12,16 @@
 #include <cstdio>
 #include <numeric>
 
-#include "mill/load/contact_motion.h"
 #include "mill/base/failure.h"
-#include "mill/liner/profile_csv.h"
 #include "mill/base/published_file.h"
+#include "mill/liner/profile_csv.h"
+#include "mill/liner/profile_measures.h"
+#include "mill/load/contact_motion.h"
 #include "recorder/liggghts/atom_values.h"
-#include "recorder/record/mesh_hook.h"
 #include "recorder/pairs/pair_contacts.h"
+#include "recorder/record/mesh_hook.h"
 #include "recorder/record/rank_exchange.h"
-#include "wear/record/load_store.h"
+#include "wear/record/load_write.h"
 
 namespace millwear::recorder {
 namespace {

@@ -6,10 +6,10 @@
 
 #include "mill/case/case.h"
 #include "mill/case/liner_friction.h"
+#include "recorder/options/recording_plan.h"
 #include "recorder/record/charge_census.h"
 #include "recorder/record/collision_spool.h"
 #include "recorder/record/going_on.h"
-#include "recorder/options/recording_plan.h"
 #include "recorder/record/wall_module.h"
 #include "wear/record/load_accumulator.h"
 #include "wear/record/pair_tracker.h"

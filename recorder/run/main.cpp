@@ -17,19 +17,19 @@
 #include <vector>
 
 #include "liggghts_build.h"
-#include "mill/case_file/case_file.h"
 #include "mill/base/failure.h"
-#include "recorder/run/build_check.h"
-#include "recorder/record/collision_spool.h"
-#include "recorder/run/deck_run.h"
-#include "recorder/run/leak_check.h"
-#include "recorder/options/mixing_options.h"
+#include "mill/case_file/case_file.h"
 #include "recorder/neighbours/neighbours_by_size.h"
+#include "recorder/options/mixing_options.h"
 #include "recorder/options/recording_plan.h"
 #include "recorder/options/run_options.h"
-#include "recorder/run/steady_mixing_run.h"
-#include "recorder/record/stretch_recorder.h"
 #include "recorder/pairs/touching_pairs.h"
+#include "recorder/record/collision_spool.h"
+#include "recorder/record/stretch_recorder.h"
+#include "recorder/run/build_check.h"
+#include "recorder/run/deck_run.h"
+#include "recorder/run/leak_check.h"
+#include "recorder/run/steady_mixing_run.h"
 
 namespace {
 

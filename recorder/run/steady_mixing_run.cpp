@@ -13,8 +13,8 @@
 #include <string>
 
 #include "mill/base/failure.h"
-#include "mill/load/mixing_record.h"
 #include "mill/base/published_file.h"
+#include "mill/load/mixing_record.h"
 #include "recorder/run/deck_lines.h"
 #include "recorder/run/deck_run.h"
 

@@ -10,10 +10,11 @@
 #include <string>
 #include <vector>
 
+#include "mill/base/failure.h"
 #include "mill/case_file/case_lock.h"
 #include "mill/case_file/case_manual.h"
 #include "mill/case_file/case_schema.h"
-#include "mill/base/failure.h"
+#include "mill/liner/profile_crossing.h"
 
 namespace millwear {
 namespace {

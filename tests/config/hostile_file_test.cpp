@@ -10,8 +10,8 @@
 #include <random>
 #include <string>
 
-#include "mill/case_file/case_file.h"
 #include "mill/base/failure.h"
+#include "mill/case_file/case_file.h"
 
 namespace millwear {
 namespace {

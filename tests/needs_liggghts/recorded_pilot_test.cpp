@@ -9,8 +9,8 @@
 
 #include "liggghts_inputs/decks/deck.h"
 #include "liggghts_inputs/outputs/torque_series.h"
-#include "mill/case_file/case_file.h"
 #include "mill/case/time_step.h"
+#include "mill/case_file/case_file.h"
 #include "tests/needs_liggghts/mill_trial.h"
 
 namespace millwear::trial {

@@ -8,13 +8,13 @@
 #include <tuple>
 
 #include "liggghts_inputs/decks/deck.h"
+#include "mill/case/time_step.h"
 #include "mill/case_file/case_lock.h"
 #include "mill/liner/profile_csv.h"
-#include "mill/case/time_step.h"
 #include "orchestrator/dem_run/stretch_run.h"
 #include "tests/needs_liggghts/mill_trial.h"
 #include "wear/record/collision_store.h"
-#include "wear/record/load_store.h"
+#include "wear/record/load_read.h"
 
 namespace millwear::trial {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "mill/case_file/case_file.h"
 #include "mill/case/time_step.h"
+#include "mill/case_file/case_file.h"
 #include "tests/needs_liggghts/mill_trial.h"
 
 // Prints what sampling the wall contacts costs in truth: the pilot mill, one trajectory, recorded

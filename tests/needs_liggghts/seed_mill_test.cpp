@@ -3,8 +3,8 @@
 
 #include <chrono>
 
-#include "mill/case_file/case_file.h"
 #include "mill/case/time_step.h"
+#include "mill/case_file/case_file.h"
 #include "tests/needs_liggghts/mill_trial.h"
 
 namespace millwear::trial {

@@ -6,9 +6,9 @@
 #include <set>
 
 #include "meshgen/liner_mesh.h"
-#include "mill/liner/mill_frame.h"
 #include "mill/case/time_step.h"
-#include "orchestrator/campaign/mesh_facts.h"
+#include "mill/liner/mill_frame.h"
+#include "orchestrator/campaign/mesh_files.h"
 #include "tests/needs_liggghts/mill_trial.h"
 #include "wear/record/profile_index.h"
 

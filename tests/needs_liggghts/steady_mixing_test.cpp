@@ -5,8 +5,8 @@
 
 #include "liggghts_inputs/decks/charge_packing.h"
 #include "liggghts_inputs/decks/deck.h"
-#include "mill/load/mixing_record.h"
 #include "mill/case/time_step.h"
+#include "mill/load/mixing_record.h"
 #include "orchestrator/dem_run/mixing.h"
 #include "orchestrator/dem_run/stretch_run.h"
 #include "tests/needs_liggghts/mill_trial.h"

@@ -7,16 +7,18 @@
 #include <iterator>
 
 #include "liggghts_inputs/decks/deck.h"
+#include "liggghts_inputs/outputs/stretch_log.h"
 #include "meshgen/stl_file.h"
-#include "mill/case_file/case_lock.h"
 #include "mill/base/failure.h"
+#include "mill/case_file/case_lock.h"
 #include "mill/liner/profile_csv.h"
-#include "orchestrator/campaign/mesh_facts.h"
-#include "orchestrator/stages/stages.h"
+#include "orchestrator/campaign/campaign.h"
+#include "orchestrator/campaign/mesh_files.h"
 #include "orchestrator/dem_run/stretch_run.h"
-#include "wear/record/collision_store.h"
-#include "wear/record/load_store.h"
+#include "orchestrator/dem_run/stretch_stages.h"
 #include "wear/rate/wear_law.h"
+#include "wear/record/collision_store.h"
+#include "wear/record/load_read.h"
 
 namespace millwear::trial {
 namespace {

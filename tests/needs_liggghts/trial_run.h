@@ -4,9 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "liggghts_inputs/decks/stretch.h"
 #include "liggghts_inputs/outputs/contact_join.h"
 #include "liggghts_inputs/outputs/run_log.h"
-#include "liggghts_inputs/decks/stretch.h"
+#include "liggghts_inputs/outputs/stretch_log.h"
 #include "meshgen/liner_mesh.h"
 #include "mill/case/case.h"
 #include "wear/record/collision.h"

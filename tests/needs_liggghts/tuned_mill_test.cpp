@@ -2,10 +2,13 @@
 #include <gmock/gmock.h>
 
 #include "liggghts_inputs/decks/deck.h"
-#include "orchestrator/campaign/campaign.h"
-#include "orchestrator/stages/stages.h"
-#include "orchestrator/dem_run/tuning_file.h"
 #include "mill/base/whole_file.h"
+#include "orchestrator/campaign/campaign.h"
+#include "orchestrator/campaign/stage_order.h"
+#include "orchestrator/dem_run/stretch_stages.h"
+#include "orchestrator/dem_run/tune_stage.h"
+#include "orchestrator/dem_run/tuning_file.h"
+#include "orchestrator/stages/run_stage.h"
 #include "tests/needs_liggghts/mill_trial.h"
 
 namespace millwear::trial {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mill/liner/profile_measures.h"
+
 namespace millwear::wear {
 namespace {
 

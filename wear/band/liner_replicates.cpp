@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "mill/liner/profile_measures.h"
 #include "wear/numerics/block_means.h"
 
 namespace millwear::wear {

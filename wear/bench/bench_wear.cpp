@@ -5,9 +5,10 @@
 
 #include "mill/liner/mill_frame.h"
 #include "mill/liner/parametric_lifter.h"
-#include "wear/record/load_accumulator.h"
+#include "mill/liner/profile_measures.h"
 #include "wear/evolve/profile_motion.h"
 #include "wear/rate/smoothing_error.h"
+#include "wear/record/load_accumulator.h"
 
 namespace millwear::wear {
 namespace {

@@ -8,8 +8,8 @@
 #include <map>
 
 #include "mill/base/failure.h"
-#include "wear/numerics/non_negative_least_squares.h"
 #include "wear/calibrate/path_prediction.h"
+#include "wear/numerics/non_negative_least_squares.h"
 
 namespace millwear::wear {
 namespace {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mill/base/failure.h"
+#include "mill/liner/profile_measures.h"
 #include "wear/calibrate/angular_zones.h"
 #include "wear/evolve/load_carrier.h"
 #include "wear/evolve/loss_nodes.h"

@@ -26,7 +26,8 @@ struct PathCycle {
 enum class PathPace { section, height };
 
 /// What is lost of a liner and can be measured: the section of steel in each zone [m2] (channels
-/// 0 ... zones - 1, wear/calibrate/angular_zones.h), the lifter's height [m] and the plate's thickness [m].
+/// 0 ... zones - 1, wear/calibrate/angular_zones.h), the lifter's height [m] and the plate's
+/// thickness [m].
 struct PathChannels {
   Eigen::Index zones;
   [[nodiscard]] Eigen::Index height() const { return zones; }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "mill/base/failure.h"
+#include "mill/liner/profile_measures.h"
 #include "wear/evolve/profile_motion.h"
 #include "wear/evolve/step_control.h"
 

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "mill/liner/liner_profile.h"
-#include "wear/numerics/arc_curve.h"
 #include "wear/evolve/loss_nodes.h"
+#include "wear/numerics/arc_curve.h"
 #include "wear/record/profile_index.h"
 
 namespace millwear::wear {

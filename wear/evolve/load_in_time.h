@@ -5,9 +5,9 @@
 
 #include "mill/case/case.h"
 #include "mill/liner/liner_profile.h"
-#include "wear/numerics/arc_curve.h"
 #include "wear/evolve/load_carrier.h"
 #include "wear/evolve/timed_load.h"
+#include "wear/numerics/arc_curve.h"
 
 namespace millwear::wear {
 

@@ -9,9 +9,11 @@
 #include <optional>
 
 #include "mill/base/failure.h"
-#include "wear/numerics/segment_distance.h"
+#include "mill/liner/profile_crossing.h"
+#include "mill/liner/profile_measures.h"
 #include "wear/evolve/steel_cut.h"
 #include "wear/evolve/surface_thinning.h"
+#include "wear/numerics/segment_distance.h"
 
 namespace millwear::wear {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "wear/numerics/block_means.h"
 #include "wear/evolve/load_carrier.h"
+#include "wear/numerics/block_means.h"
 #include "wear/record/profile_index.h"
 
 namespace millwear::wear {

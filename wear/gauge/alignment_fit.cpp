@@ -1,3 +1,5 @@
+#include "wear/gauge/alignment_fit.h"
+
 #include <fmt/format.h>
 
 #include <Eigen/Dense>
@@ -7,7 +9,7 @@
 #include <numbers>
 
 #include "mill/base/failure.h"
-#include "wear/gauge/profile_alignment.h"
+#include "mill/liner/profile_measures.h"
 #include "wear/evolve/signed_surface.h"
 
 namespace millwear::wear {

@@ -5,9 +5,10 @@
 #include <vector>
 
 #include "mill/base/failure.h"
+#include "mill/liner/profile_measures.h"
+#include "wear/evolve/signed_surface.h"
 #include "wear/gauge/area_between.h"
 #include "wear/record/profile_index.h"
-#include "wear/evolve/signed_surface.h"
 
 namespace millwear::wear {
 namespace {

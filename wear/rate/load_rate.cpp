@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "wear/numerics/block_persistence.h"
-#include "wear/record/load_accumulator.h"
 #include "wear/rate/wear_law.h"
+#include "wear/record/load_accumulator.h"
 
 namespace millwear::wear {
 

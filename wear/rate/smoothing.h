@@ -29,12 +29,12 @@ struct SmoothedLoss {
 
 /// Smooths the sampled loss along the profile, `penalised` or as the 2006 `paper` does.
 ///
-/// `penalised`: wear/numerics/penalised_spline.h with a coefficient for every two bins (at most 128), and
-/// none closer than the resolution: particles that stay locked in place while a pocket rises load
-/// the same spots together, noise that cross-validation takes for structure. The weight of a bin is
-/// 1 / variance of its mean over the time blocks, the variance averaged over the bin and two
-/// neighbours on each side and not below a hundredth of the mean variance; with fewer than two
-/// blocks all bins weigh the same. `paper`: wear/numerics/paper_spline.h.
+/// `penalised`: wear/numerics/penalised_spline.h with a coefficient for every two bins (at most
+/// 128), and none closer than the resolution: particles that stay locked in place while a pocket
+/// rises load the same spots together, noise that cross-validation takes for structure. The weight
+/// of a bin is 1 / variance of its mean over the time blocks, the variance averaged over the bin
+/// and two neighbours on each side and not below a hundredth of the mean variance; with fewer than
+/// two blocks all bins weigh the same. `paper`: wear/numerics/paper_spline.h.
 ///
 /// What the spline then has to keep to: it is cut at zero; inside a stretch of three or more bins
 /// with no loss it is zero but for one bin at each end, so no steel is lost where nothing touched;

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "mill/liner/profile_measures.h"
+
 namespace millwear::wear {
 namespace {
 

@@ -1,3 +1,5 @@
+#include "wear/record/load_read.h"
+
 #include <fmt/format.h>
 #include <hdf5.h>
 
@@ -8,7 +10,6 @@
 #include <string_view>
 
 #include "wear/record/hdf5_file.h"
-#include "wear/record/load_store.h"
 
 namespace millwear::wear {
 namespace {

@@ -1,3 +1,5 @@
+#include "wear/record/load_write.h"
+
 #include <fmt/format.h>
 #include <hdf5.h>
 
@@ -8,7 +10,6 @@
 #include <vector>
 
 #include "wear/record/hdf5_file.h"
-#include "wear/record/load_store.h"
 
 namespace millwear::wear {
 namespace {

@@ -8,6 +8,7 @@
 #include "meshgen/dxf_polyline.h"
 #include "meshgen/gmsh_kernel.h"
 #include "mill/base/failure.h"
+#include "mill/liner/profile_measures.h"
 #include "tests/support/sample_liners.h"
 
 namespace millwear::meshgen {

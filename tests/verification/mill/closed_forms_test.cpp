@@ -3,9 +3,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/support/example_case.h"
 #include "mill/case/case.h"
 #include "mill/case/time_step.h"
+#include "tests/support/example_case.h"
 
 namespace millwear {
 namespace {

@@ -7,6 +7,8 @@
 #include <numbers>
 
 #include "mill/base/failure.h"
+#include "mill/liner/profile_crossing.h"
+#include "mill/liner/profile_measures.h"
 
 namespace millwear {
 namespace {

@@ -7,9 +7,9 @@
 #include <numbers>
 #include <string>
 
-#include "mill/case_file/case_file.h"
-#include "mill/case/case_warnings.h"
 #include "mill/case/time_step.h"
+#include "mill/case_file/case_file.h"
+#include "mill/case_file/case_warnings.h"
 
 namespace millwear {
 namespace {

@@ -5,10 +5,11 @@
 #include <cmath>
 #include <random>
 
+#include "mill/liner/profile_measures.h"
 #include "tests/support/sample_profiles.h"
 #include "wear/calibrate/angular_zones.h"
-#include "wear/evolve/evolution.h"
 #include "wear/calibrate/path_prediction.h"
+#include "wear/evolve/evolution.h"
 #include "wear/rate/wear_law.h"
 
 namespace millwear::wear {

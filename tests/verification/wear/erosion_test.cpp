@@ -5,6 +5,7 @@
 #include <numbers>
 #include <random>
 
+#include "mill/liner/profile_measures.h"
 #include "tests/support/sample_profiles.h"
 #include "wear/evolve/evolution.h"
 #include "wear/evolve/profile_motion.h"

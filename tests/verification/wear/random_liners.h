@@ -2,8 +2,8 @@
 #include <Eigen/Core>
 
 #include "mill/liner/liner_profile.h"
-#include "wear/numerics/arc_curve.h"
 #include "wear/evolve/profile_motion.h"
+#include "wear/numerics/arc_curve.h"
 
 namespace millwear::wear {
 

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "mill/base/failure.h"
+#include "mill/liner/profile_crossing.h"
+#include "mill/liner/profile_measures.h"
 #include "tests/verification/wear/random_liners.h"
 
 namespace millwear::wear {

@@ -8,8 +8,10 @@
 #include <numeric>
 
 #include "mill/base/failure.h"
-#include "tests/verification/wear/random_liners.h"
+#include "mill/liner/profile_crossing.h"
+#include "mill/liner/profile_measures.h"
 #include "tests/support/sample_profiles.h"
+#include "tests/verification/wear/random_liners.h"
 #include "wear/evolve/evolution.h"
 
 namespace millwear::wear {

@@ -1,8 +1,10 @@
+#include "liggghts_inputs/outputs/stretch_log.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "liggghts_inputs/outputs/run_log.h"
 #include "liggghts_inputs/decks/stretch.h"
+#include "liggghts_inputs/outputs/run_log.h"
 #include "mill/base/failure.h"
 
 namespace millwear::liggghts {

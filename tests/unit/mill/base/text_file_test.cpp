@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "mill/case_file/case_schema_check.h"
 #include "mill/base/failure.h"
+#include "mill/case_file/case_schema_check.h"
 
 namespace millwear {
 namespace {

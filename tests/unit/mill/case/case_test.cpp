@@ -5,9 +5,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/support/example_case.h"
-#include "mill/case/case_warnings.h"
 #include "mill/base/failure.h"
+#include "mill/case_file/case_warnings.h"
+#include "mill/liner/profile_measures.h"
+#include "tests/support/example_case.h"
 
 namespace millwear {
 namespace {

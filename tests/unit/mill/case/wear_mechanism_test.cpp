@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/example_case.h"
 #include "mill/case/case_units.h"
+#include "tests/support/example_case.h"
 
 namespace millwear {
 namespace {

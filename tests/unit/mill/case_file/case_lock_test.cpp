@@ -5,11 +5,11 @@
 
 #include <filesystem>
 
-#include "tests/support/example_case.h"
-#include "mill/case_file/case_file.h"
 #include "mill/base/text_file.h"
 #include "mill/case/case_units.h"
 #include "mill/case/time_step.h"
+#include "mill/case_file/case_file.h"
+#include "tests/support/example_case.h"
 
 namespace millwear {
 namespace {

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "mill/liner/parametric_lifter.h"
+#include "mill/liner/profile_measures.h"
 
 namespace millwear {
 namespace {

@@ -1,3 +1,5 @@
+#include "mill/liner/profile_crossing.h"
+
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 

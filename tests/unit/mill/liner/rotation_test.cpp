@@ -4,6 +4,8 @@
 
 #include <vector>
 
+#include "mill/liner/profile_measures.h"
+
 namespace millwear {
 namespace {
 

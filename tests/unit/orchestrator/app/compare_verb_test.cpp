@@ -2,13 +2,13 @@
 
 #include <filesystem>
 
+#include "mill/base/failure.h"
 #include "mill/case_file/case_file.h"
 #include "mill/case_file/case_lock.h"
-#include "mill/base/failure.h"
+#include "orchestrator/app/verbs.h"
 #include "orchestrator/results/history.h"
 #include "orchestrator/results/profiles.h"
 #include "orchestrator/results/replicates.h"
-#include "orchestrator/app/verbs.h"
 #include "tests/support/temporary_folder.h"
 
 namespace millwear::orchestrator {

@@ -4,17 +4,20 @@
 
 #include <cmath>
 
-#include "mill/case_file/case_lock.h"
 #include "mill/base/failure.h"
+#include "mill/case_file/case_lock.h"
+#include "mill/liner/profile_measures.h"
+#include "orchestrator/calibration/calibration_text.h"
+#include "orchestrator/campaign/kept_cycle.h"
 #include "orchestrator/campaign/ledger.h"
 #include "orchestrator/dem_run/measured.h"
 #include "tests/support/example_case.h"
 #include "tests/support/example_measurement.h"
 #include "tests/support/temporary_folder.h"
 #include "wear/evolve/evolution.h"
-#include "wear/record/load_accumulator.h"
 #include "wear/rate/load_rate.h"
-#include "wear/record/load_store.h"
+#include "wear/record/load_accumulator.h"
+#include "wear/record/load_write.h"
 
 namespace millwear::orchestrator {
 namespace {

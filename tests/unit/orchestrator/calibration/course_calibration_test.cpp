@@ -5,8 +5,8 @@
 #include <cmath>
 #include <filesystem>
 
-#include "mill/case_file/case_file.h"
 #include "mill/base/failure.h"
+#include "mill/case_file/case_file.h"
 #include "orchestrator/calibration/course_comparison.h"
 #include "orchestrator/gauge/gauge_folder.h"
 #include "tests/support/temporary_folder.h"

@@ -1,9 +1,8 @@
-#include "orchestrator/campaign/campaign.h"
-
 #include <gmock/gmock.h>
 
 #include <stdexcept>
 
+#include "orchestrator/campaign/stage_order.h"
 #include "tests/support/example_case.h"
 
 namespace millwear::orchestrator {

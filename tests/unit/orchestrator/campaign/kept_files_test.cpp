@@ -3,8 +3,9 @@
 #include <cmath>
 
 #include "mill/base/failure.h"
-#include "orchestrator/dem_run/measured.h"
 #include "mill/base/whole_file.h"
+#include "orchestrator/campaign/kept_cycle.h"
+#include "orchestrator/dem_run/measured.h"
 #include "tests/support/temporary_folder.h"
 
 namespace millwear::orchestrator {

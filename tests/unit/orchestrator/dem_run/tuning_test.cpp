@@ -4,7 +4,7 @@
 
 #include "mill/base/failure.h"
 #include "mill/case/time_step.h"
-#include "orchestrator/stages/stages.h"
+#include "orchestrator/dem_run/tune_stage.h"
 #include "orchestrator/dem_run/tuning_file.h"
 #include "tests/support/example_case.h"
 #include "tests/support/temporary_folder.h"

@@ -9,12 +9,14 @@
 #include "meshgen/dxf_polyline.h"
 #include "mill/base/failure.h"
 #include "mill/liner/parametric_lifter.h"
+#include "mill/liner/profile_crossing.h"
 #include "mill/liner/profile_csv.h"
+#include "mill/liner/profile_measures.h"
 #include "orchestrator/gauge/gauge_folder.h"
 #include "tests/support/example_case.h"
 #include "tests/support/temporary_folder.h"
-#include "wear/gauge/profile_comparison.h"
 #include "wear/evolve/signed_surface.h"
+#include "wear/gauge/profile_comparison.h"
 
 namespace millwear::orchestrator {
 namespace {

@@ -11,8 +11,8 @@
 #include <nlohmann/json.hpp>
 
 #include "mill/base/failure.h"
-#include "orchestrator/results/measured_charge.h"
 #include "orchestrator/report/plots.h"
+#include "orchestrator/results/measured_charge.h"
 #include "tests/support/synthetic_campaign.h"
 
 namespace millwear::orchestrator {

@@ -1,15 +1,19 @@
 #include <gmock/gmock.h>
 
+#include "mill/base/whole_file.h"
 #include "mill/liner/mill_frame.h"
 #include "mill/liner/profile_csv.h"
-#include "orchestrator/stages/stages.h"
-#include "mill/base/whole_file.h"
+#include "orchestrator/campaign/campaign.h"
+#include "orchestrator/campaign/kept_cycle.h"
+#include "orchestrator/campaign/ledger.h"
+#include "orchestrator/stages/run_stage.h"
+#include "orchestrator/stages/wear_stage.h"
 #include "tests/support/example_case.h"
 #include "tests/support/example_measurement.h"
 #include "tests/support/temporary_folder.h"
-#include "wear/record/load_accumulator.h"
 #include "wear/evolve/load_carrier.h"
-#include "wear/record/load_store.h"
+#include "wear/record/load_accumulator.h"
+#include "wear/record/load_write.h"
 
 namespace millwear::orchestrator {
 namespace {

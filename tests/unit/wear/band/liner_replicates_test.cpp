@@ -4,9 +4,10 @@
 
 #include <cmath>
 
+#include "mill/liner/profile_measures.h"
 #include "tests/support/sample_profiles.h"
-#include "wear/evolve/evolution.h"
 #include "wear/band/life_band.h"
+#include "wear/evolve/evolution.h"
 #include "wear/numerics/random_stream.h"
 
 namespace millwear::wear {

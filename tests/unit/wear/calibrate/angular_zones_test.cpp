@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "mill/liner/profile_measures.h"
 #include "tests/support/sample_profiles.h"
 
 namespace millwear::wear {

@@ -5,10 +5,11 @@
 #include <cmath>
 
 #include "mill/base/failure.h"
+#include "mill/liner/profile_measures.h"
 #include "tests/support/sample_profiles.h"
 #include "wear/calibrate/angular_zones.h"
-#include "wear/evolve/evolution.h"
 #include "wear/calibrate/path_prediction.h"
+#include "wear/evolve/evolution.h"
 
 namespace millwear::wear {
 namespace {

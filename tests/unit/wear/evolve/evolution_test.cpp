@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "mill/base/failure.h"
+#include "mill/liner/profile_measures.h"
 #include "tests/support/sample_profiles.h"
 
 namespace millwear::wear {

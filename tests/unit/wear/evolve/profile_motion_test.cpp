@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "mill/base/failure.h"
+#include "mill/liner/profile_crossing.h"
+#include "mill/liner/profile_measures.h"
 #include "tests/support/sample_profiles.h"
 
 namespace millwear::wear {

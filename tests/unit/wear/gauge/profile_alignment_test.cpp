@@ -9,7 +9,9 @@
 
 #include "mill/base/failure.h"
 #include "mill/liner/parametric_lifter.h"
+#include "mill/liner/profile_crossing.h"
 #include "wear/evolve/signed_surface.h"
+#include "wear/gauge/alignment_fit.h"
 
 namespace millwear::wear {
 namespace {

@@ -10,6 +10,8 @@
 #include <string>
 
 #include "mill/base/failure.h"
+#include "wear/record/load_read.h"
+#include "wear/record/load_write.h"
 
 namespace millwear::wear {
 namespace {

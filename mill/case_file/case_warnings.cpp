@@ -1,4 +1,4 @@
-#include "mill/case/case_warnings.h"
+#include "mill/case_file/case_warnings.h"
 
 #include <fmt/format.h>
 

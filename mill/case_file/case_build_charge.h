@@ -1,0 +1,13 @@
+#pragma once
+#include "mill/case/case.h"
+#include "mill/case_file/case_document.h"
+#include "mill/case_file/case_problems.h"
+
+namespace millwear {
+
+/// Particle classes from counts, or from fillings and distributions; largest first.
+[[nodiscard]] Charge build_charge(const CaseDocument& document,
+                                  const std::vector<Material>& materials, const LinerSector& sector,
+                                  CaseProblems& problems);
+
+}  // namespace millwear

@@ -1,0 +1,45 @@
+#include "orchestrator/campaign/mesh_files.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "meshgen/liner_mesh.h"
+#include "meshgen/mesh_check.h"
+#include "meshgen/profile_cad.h"
+#include "meshgen/stl_file.h"
+#include "mill/base/published_file.h"
+#include "mill/base/whole_file.h"
+#include "mill/liner/profile_csv.h"
+#include "orchestrator/campaign/run_folder.h"
+
+namespace millwear::orchestrator {
+
+void write_mesh(const Case& mill, const LinerProfile& liner, const std::filesystem::path& into) {
+  const meshgen::MeshSettings settings{.tolerance = mesh_tolerance(mill)};
+  const auto mesh = meshgen::build_liner_mesh(liner, mill.slice_length, settings);
+  const auto found = meshgen::check_mesh(mesh, liner, settings);
+  meshgen::write_stl(mesh, into / stage_files::mesh);
+  publish(into / stage_files::profile, profile_csv(liner));
+  meshgen::write_dxf(liner, into / stage_files::profile_dxf);
+  meshgen::write_step(liner, mill.slice_length, into / stage_files::profile_step);
+  const nlohmann::json facts = {
+      {"type", "millwear mesh"},
+      {"format_version", 1},
+      {"triangles", mesh.triangles.size()},
+      {"rows", mesh.rows},
+      {"facets_per_lifter", mesh.facets_per_lifter},
+      {"layers", mesh.layers},
+      {"tolerance_m", mesh_tolerance(mill)},
+      {"largest_deviation_m", found.largest_deviation},
+      {"smallest_angle_deg", found.smallest_angle * 180.0 / std::numbers::pi}};
+  publish(into / stage_files::mesh_facts, facts.dump(1) + "\n");
+}
+
+std::size_t triangles_of_mesh(const std::filesystem::path& mesh_folder) {
+  const auto facts = nlohmann::json::parse(read_file(mesh_folder / stage_files::mesh_facts));
+  return facts.at("triangles").get<std::size_t>();
+}
+
+}  // namespace millwear::orchestrator

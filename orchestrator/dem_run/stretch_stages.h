@@ -1,0 +1,27 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "orchestrator/campaign/campaign.h"
+#include "orchestrator/dem_run/progress.h"
+
+namespace millwear::orchestrator {
+
+/// Packs the charge of a cycle and mixes it: the work of its mix stage, into `into`.
+void mix_stage(const Campaign& campaign, int cycle, const std::filesystem::path& into,
+               Progress& progress);
+
+/// Settles the charge on a cycle's mesh and measures the load: the work of its dem stage.
+void dem_stage(const Campaign& campaign, int cycle, const std::filesystem::path& into,
+               Progress& progress);
+
+/// The decks of a stretch and, for a mixing one, its charge, written into `into`.
+void write_mixing_deck(const Campaign& campaign, int cycle, const std::filesystem::path& into);
+void write_measuring_deck(const Campaign& campaign, int cycle, const std::filesystem::path& into);
+
+/// What millwear-recorder is told of a measuring stretch, besides its deck; paths are from the
+/// stage's folder.
+[[nodiscard]] std::vector<std::string> recorder_arguments(const Case& mill);
+
+}  // namespace millwear::orchestrator

@@ -1,0 +1,69 @@
+#include "orchestrator/stages/run_stage.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "mill/base/failure.h"
+#include "mill/base/published_file.h"
+#include "mill/base/whole_file.h"
+#include "orchestrator/dem_run/stretch_stages.h"
+#include "orchestrator/dem_run/tune_stage.h"
+#include "orchestrator/stages/mesh_stage.h"
+#include "orchestrator/stages/wear_stage.h"
+
+namespace millwear::orchestrator {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::map<std::string, std::string> synced_outputs(const fs::path& folder) {
+  std::map<std::string, std::string> outputs;
+  for (const auto& file : fs::directory_iterator(folder)) {
+    sync_path(file.path());
+    outputs[file.path().filename().string()] = hash_of_file(file.path());
+  }
+  return outputs;
+}
+
+Outcome work_of(const Campaign& campaign, const StageId& stage, const fs::path& into,
+                Progress& progress) {
+  switch (stage.kind) {
+    case StageKind::mesh:
+      mesh_stage(campaign, stage.cycle, into);
+      return Outcome::go_on;
+    case StageKind::mix:
+      mix_stage(campaign, stage.cycle, into, progress);
+      return Outcome::go_on;
+    case StageKind::tune:
+      tune_stage(campaign, into, progress);
+      return Outcome::go_on;
+    case StageKind::dem:
+      dem_stage(campaign, stage.cycle, into, progress);
+      return Outcome::go_on;
+    case StageKind::wear:
+      return wear_stage(campaign, stage.cycle, into);
+  }
+  throw std::logic_error("a stage of no kind");
+}
+
+}  // namespace
+
+LedgerEntry run_stage(const Campaign& campaign, const StageId& stage, Progress& progress) {
+  const auto started = std::chrono::steady_clock::now();
+  const fs::path partial = campaign.folder.partial_stage(stage);
+  const fs::path final_folder = campaign.folder.stage(stage);
+  fs::remove_all(partial);
+  fs::remove_all(final_folder);
+  make_folder(partial);
+
+  const Outcome outcome = work_of(campaign, stage, partial, progress);
+  const auto outputs = synced_outputs(partial);
+  sync_path(partial);
+  fs::rename(partial, final_folder);
+  sync_path(final_folder.parent_path());
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - started;
+  return {stage, outcome, outputs, taken.count()};
+}
+
+}  // namespace millwear::orchestrator

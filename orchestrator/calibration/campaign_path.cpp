@@ -11,7 +11,7 @@
 namespace millwear::orchestrator {
 namespace {
 
-std::vector<wear::PathStep> steps_of(const KeptCampaign& kept, int cycle) {
+std::vector<wear::PathStep> steps_of(const OpenCampaign& kept, int cycle) {
   const StageId worn{cycle, StageKind::wear};
   if (kept.ledger.find(worn) == nullptr) return {};
   const auto read = read_cycle(kept.campaign.folder.stage(worn) / stage_files::steps,
@@ -31,7 +31,7 @@ wear::ArcCurve rate_along_steel(const Case& mill, const WallLoad& recorded, Rota
 
 }  // namespace
 
-std::vector<wear::PathCycle> path_cycles(const KeptCampaign& kept, const Case& other) {
+std::vector<wear::PathCycle> path_cycles(const OpenCampaign& kept, const Case& other) {
   const Campaign& campaign = kept.campaign;
   std::vector<wear::PathCycle> cycles;
   for (int cycle = 0; kept.ledger.find({cycle, StageKind::dem}) != nullptr; ++cycle) {

@@ -13,6 +13,7 @@ mill/base:
 mill/liner: mill/base
 mill/case: mill/base mill/liner
 mill/load: mill/base mill/liner mill/case
+mill/recording: mill/base mill/load
 mill/case_file: mill/base mill/liner mill/case mill/load
 meshgen: mill
 liggghts_inputs/decks: mill
@@ -28,7 +29,7 @@ recorder/liggghts:
 recorder/options: mill
 recorder/neighbours: recorder/liggghts
 recorder/pairs: mill/base recorder/liggghts
-recorder/record: mill wear recorder/liggghts recorder/options recorder/pairs
+recorder/record: mill wear recorder/liggghts recorder/pairs
 recorder/run: mill recorder/liggghts recorder/options recorder/neighbours recorder/pairs recorder/record
 orchestrator/campaign: mill meshgen wear
 orchestrator/dem_run: mill liggghts_inputs wear orchestrator/campaign

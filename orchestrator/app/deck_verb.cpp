@@ -5,8 +5,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include "liggghts_inputs/decks/deck.h"
 #include "mill/base/whole_file.h"
 #include "mill/case_file/case_lock.h"
+#include "mill/recording/recorder_orders.h"
 #include "orchestrator/app/liner_choice.h"
 #include "orchestrator/campaign/campaign.h"
 #include "orchestrator/campaign/mesh_files.h"
@@ -44,11 +46,12 @@ void deck_verb(const DeckOptions& options) {
                "the decks (cycle_000/mix, then cycle_000/dem) are");
   if (options.common.form == OutputForm::json || mill.dem.contact_path != ContactPath::recorder)
     return;
-  const auto mixing =
-      mill.dem.mix_until_steady ? mixing_arguments(mill) : std::vector<std::string>{"run"};
+  const auto mixing = mill.dem.mix_until_steady
+                          ? mixing_arguments(mill)
+                          : to_arguments(RunOptions{liggghts::file_names::deck});
   fmt::print(
-      "cycle_000/mix is run by: mpirun -np {0} millwear-recorder {1} --in deck.in\n"
-      "cycle_000/dem is measured by: mpirun -np {0} millwear-recorder --in deck.in {2}\n",
+      "cycle_000/mix is run by: mpirun -np {0} millwear-recorder {1}\n"
+      "cycle_000/dem is measured by: mpirun -np {0} millwear-recorder {2}\n",
       campaign.ranks, fmt::join(mixing, " "), fmt::join(recorder_arguments(mill), " "));
 }
 

@@ -39,10 +39,8 @@ std::vector<Eigen::Vector2d> places_on(const Campaign& campaign, int cycle,
   const LinerProfile profile = dem_liner_of_cycle(campaign, cycle);
   const auto arc = arc_lengths(profile);
   std::vector<Eigen::Vector2d> places;
-  for (const double s : at) places.push_back(wear::place_at(profile, arc, s));
-  const bool is_reversed = rotation_of_cycle(campaign, cycle) == Rotation::reversed;
-  if (is_reversed)
-    for (auto& place : places) place.x() = -place.x();
+  const Rotation rotation = rotation_of_cycle(campaign, cycle);
+  for (const double s : at) places.push_back(as_turned(wear::place_at(profile, arc, s), rotation));
   return places;
 }
 

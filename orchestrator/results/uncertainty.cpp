@@ -59,9 +59,8 @@ void add_uncertainty(const Case& mill, const std::vector<wear::WornCycle>& cycle
       history.worn_volume_error = band.section_error;
       data.replicates.push_back({history.cycle, history.step, history.operating_hours,
                                  band.replicates.heights, band.replicates.plates});
-      auto& error = data.profiles.at(row).depth_error;
-      error = at_nodes(cycles[cycle].steps[step].profile, band.depth_error);
-      if (cycles[cycle].rotation == Rotation::reversed) std::ranges::reverse(error);
+      data.profiles.at(row).depth_error = as_turned(
+          at_nodes(cycles[cycle].steps[step].profile, band.depth_error), cycles[cycle].rotation);
     }
   if (!data.life.reached) return;
   const auto life = wear::band_of(wear::lives_of(cycles, bands, mill.campaign) / seconds_per_hour);

@@ -1,11 +1,11 @@
-#include "liggghts_inputs/decks/deck_template.h"
+#include "mill/base/text_template.h"
 
 #include <fmt/format.h>
 
 #include <set>
 #include <stdexcept>
 
-namespace millwear::liggghts {
+namespace millwear {
 
 std::string filled_template(std::string_view text, const TemplateValues& values) {
   std::string filled;
@@ -16,19 +16,19 @@ std::string filled_template(std::string_view text, const TemplateValues& values)
     if (open == std::string_view::npos) break;
     const auto close = text.find("}}", open);
     if (close == std::string_view::npos)
-      throw std::logic_error("deck template: a {{ is never closed; write {{name}}");
+      throw std::logic_error("template: a {{ is never closed; write {{name}}");
     const auto name = text.substr(open + 2, close - open - 2);
     const auto value = values.find(name);
     if (value == values.end())
-      throw std::logic_error(fmt::format("deck template: no value for {{{{{}}}}}", name));
+      throw std::logic_error(fmt::format("template: no value for {{{{{}}}}}", name));
     filled += value->second;
     used.insert(value->first);
     text.remove_prefix(close + 2);
   }
   for (const auto& [name, value] : values)
     if (!used.contains(name))
-      throw std::logic_error(fmt::format("deck template: {{{{{}}}}} is never used", name));
+      throw std::logic_error(fmt::format("template: {{{{{}}}}} is never used", name));
   return filled;
 }
 
-}  // namespace millwear::liggghts
+}  // namespace millwear

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace millwear::liggghts {
+namespace millwear {
 
 /// The values that take the place of {{name}} in a template.
 using TemplateValues = std::map<std::string, std::string, std::less<>>;
@@ -13,4 +13,4 @@ using TemplateValues = std::map<std::string, std::string, std::less<>>;
 /// template and the code that fills it must not drift apart.
 [[nodiscard]] std::string filled_template(std::string_view text, const TemplateValues& values);
 
-}  // namespace millwear::liggghts
+}  // namespace millwear

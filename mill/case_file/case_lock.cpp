@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "mill/case/case_units.h"
-#include "mill/case_file/case_schema.h"
+#include "mill/case_keys/case_schema.h"
 
 namespace millwear {
 namespace {

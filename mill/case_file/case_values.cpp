@@ -3,7 +3,7 @@
 #include <charconv>
 #include <stdexcept>
 
-#include "mill/case_file/case_schema.h"
+#include "mill/case_keys/case_schema.h"
 
 namespace millwear {
 namespace {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "mill/case_file/case_document.h"
+#include "mill/case_keys/case_document.h"
 
 namespace millwear {
 

@@ -1,4 +1,4 @@
-#include "mill/case_file/case_schema.h"
+#include "mill/case_keys/case_schema.h"
 
 #include <fmt/format.h>
 

@@ -6,6 +6,7 @@
 namespace millwear {
 
 /// The liner as new: parametric, from a CSV beside the case file, or from listed nodes.
-[[nodiscard]] LinerProfile build_liner(const CaseDocument& document, CaseProblems& problems);
+[[nodiscard]] LinerProfile build_liner(const CaseDocument& document, const LinerSector& sector,
+                                       CaseProblems& problems);
 
 }  // namespace millwear

@@ -12,7 +12,6 @@ namespace millwear {
 /// Values of a table that has passed `check_against_schema`. A key that is missing has its default
 /// of the schema; without one, `std::logic_error` is thrown (the `optional_` ones return nothing).
 [[nodiscard]] double real_value(const CaseTable& table, std::string_view key);
-[[nodiscard]] int integer_value(const CaseTable& table, std::string_view key);
 [[nodiscard]] bool boolean_value(const CaseTable& table, std::string_view key);
 [[nodiscard]] std::string text_value(const CaseTable& table, std::string_view key);
 [[nodiscard]] std::vector<double> real_values(const CaseTable& table, std::string_view key);

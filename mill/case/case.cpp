@@ -82,6 +82,10 @@ double smallest_diameter(const Case& mill) {
   return std::min_element(classes.begin(), classes.end(), smaller)->diameter;
 }
 
+std::string_view name_of(RollingFriction model) {
+  return model == RollingFriction::cdt ? "cdt" : "epsd2";
+}
+
 std::string_view name_of(ContactPath path) {
   return path == ContactPath::recorder ? "recorder" : "dumps";
 }

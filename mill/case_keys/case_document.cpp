@@ -1,4 +1,4 @@
-#include "mill/case_file/case_document.h"
+#include "mill/case_keys/case_document.h"
 
 #include <fmt/format.h>
 

@@ -104,7 +104,7 @@ Ledger existing_ledger(const Command& command, const Case& mill, const RunFolder
   return *ledger;
 }
 
-std::string spoken_outcome(const ReportData& data) {
+std::string spoken_outcome(const CampaignResults& data) {
   if (data.history.empty()) return "no cycle is finished yet";
   const auto& last = data.history.back();
   const std::string band = std::isfinite(data.life.hours_low)
@@ -117,7 +117,7 @@ std::string spoken_outcome(const ReportData& data) {
                      data.conservation.size());
 }
 
-void print_outcome(const Command& command, const RunFolder& folder, const ReportData& data) {
+void print_outcome(const Command& command, const RunFolder& folder, const CampaignResults& data) {
   if (command.form == OutputForm::json) {
     fmt::print("{}\n", read_file(folder.results() / "summary.json"));
     return;
@@ -173,7 +173,7 @@ LedgerEntry run_and_tell(const Campaign& campaign, const StageId& stage, Progres
 }
 
 /// A table that cannot be taken does not stop a campaign, unless it was asked for by name.
-void add_readings_of(const Command& command, const Case& mill, ReportData& data) {
+void add_readings_of(const Command& command, const Case& mill, CampaignResults& data) {
   try {
     const auto readings = readings_in(gauge_folder(mill, command.readings), mill);
     add_readings(readings, data);
@@ -184,9 +184,9 @@ void add_readings_of(const Command& command, const Case& mill, ReportData& data)
   }
 }
 
-ReportData publish_campaign(const Command& command, const Campaign& campaign,
-                            const Ledger& ledger) {
-  ReportData data = gather(campaign, ledger);
+CampaignResults publish_campaign(const Command& command, const Campaign& campaign,
+                                 const Ledger& ledger) {
+  CampaignResults data = gather(campaign, ledger);
   add_readings_of(command, campaign.mill, data);
   publish_results(campaign, ledger, data);
   publish_report(campaign.folder.report(), data);
@@ -194,7 +194,7 @@ ReportData publish_campaign(const Command& command, const Campaign& campaign,
 }
 
 /// The pictures are a convenience: a campaign does not fail for want of gnuplot.
-void publish_pictures_if_possible(const Campaign& campaign, const ReportData& data,
+void publish_pictures_if_possible(const Campaign& campaign, const CampaignResults& data,
                                   Progress& progress) {
   try {
     publish_pictures(campaign.folder.results(), data);
@@ -256,13 +256,13 @@ void run_verb(const Command& command) {
       [&](const StageId& stage) { return run_and_tell(campaign, stage, progress); },
       [&](const LedgerEntry& entry) { append_entry(folder.ledger(), entry); },
       [&](const Ledger& so_far) {
-        const ReportData data = publish_campaign(command, campaign, so_far);
+        const CampaignResults data = publish_campaign(command, campaign, so_far);
         progress.say(
             fmt::format("cycle {}: {}", so_far.entries.back().stage.cycle, spoken_outcome(data)));
       }};
   const Ledger finished = run_campaign(ledger, plan_of(campaign.mill), effects);
   // Once more at the end: an earlier process may have died between its last stage and its results.
-  const ReportData data = publish_campaign(command, campaign, finished);
+  const CampaignResults data = publish_campaign(command, campaign, finished);
   publish_pictures_if_possible(campaign, data, progress);
   progress.detail(fmt::format("{:.1f} s of processor time went elsewhere than into LIGGGHTS",
                               static_cast<double>(std::clock()) / CLOCKS_PER_SEC));
@@ -317,7 +317,7 @@ void report_verb(const Command& command) {
   const RunLock lock(folder.lock());
   check_outputs(ledger, folder.root);
   const Campaign campaign{mill, folder, ledger.start.ranks};
-  const ReportData data = publish_campaign(command, campaign, ledger);
+  const CampaignResults data = publish_campaign(command, campaign, ledger);
   Progress progress(command.verbosity);
   publish_pictures_if_possible(campaign, data, progress);
   print_outcome(command, folder, data);

@@ -16,7 +16,7 @@ namespace millwear::orchestrator {
 namespace {
 
 void add_readings_of(const Case& mill, const std::optional<std::filesystem::path>& named,
-                     ReportData& data) {
+                     CampaignResults& data) {
   try {
     const auto readings = readings_in(gauge_folder(mill, named), mill);
     add_readings(readings, data);
@@ -29,17 +29,17 @@ void add_readings_of(const Case& mill, const std::optional<std::filesystem::path
 
 }  // namespace
 
-ReportData publish_campaign(const OpenCampaign& opened,
-                            const std::optional<std::filesystem::path>& readings) {
+CampaignResults publish_campaign(const OpenCampaign& opened,
+                                 const std::optional<std::filesystem::path>& readings) {
   const auto& [campaign, ledger] = opened;
-  ReportData data = gather(campaign, ledger);
+  CampaignResults data = gather(campaign, ledger);
   add_readings_of(campaign.mill, readings, data);
   publish_results(campaign, ledger, data);
   publish_report(campaign.folder.report(), data);
   return data;
 }
 
-void publish_pictures_if_possible(const RunFolder& folder, const ReportData& data,
+void publish_pictures_if_possible(const RunFolder& folder, const CampaignResults& data,
                                   Progress& progress) {
   try {
     publish_pictures(folder.results(), data);
@@ -48,7 +48,7 @@ void publish_pictures_if_possible(const RunFolder& folder, const ReportData& dat
   }
 }
 
-std::string spoken_outcome(const ReportData& data) {
+std::string spoken_outcome(const CampaignResults& data) {
   if (data.history.empty()) return "no cycle is finished yet";
   const auto& last = data.history.back();
   const std::string band = std::isfinite(data.life.hours_low)
@@ -61,7 +61,7 @@ std::string spoken_outcome(const ReportData& data) {
                      data.conservation.size());
 }
 
-void print_outcome(OutputForm form, const RunFolder& folder, const ReportData& data) {
+void print_outcome(OutputForm form, const RunFolder& folder, const CampaignResults& data) {
   if (form == OutputForm::json)
     fmt::print("{}\n", read_file(folder.results() / "summary.json"));
   else

@@ -21,7 +21,7 @@ void report_verb(const ReportOptions& options) {
   const OpenCampaign opened = campaign_of(mill, folder);
   const RunLock lock(folder.lock());
   check_outputs(opened.ledger, folder.root);
-  const ReportData data = publish_campaign(opened, options.readings);
+  const CampaignResults data = publish_campaign(opened, options.readings);
   Progress progress(options.common.verbosity);
   publish_pictures_if_possible(folder, data, progress);
   print_outcome(options.common.form, folder, data);

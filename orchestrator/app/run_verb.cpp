@@ -134,13 +134,13 @@ void run_verb(const RunOptions& options) {
       [&](const StageId& stage) { return run_and_tell(campaign, stage, progress); },
       [&](const LedgerEntry& entry) { append_entry(folder.ledger(), entry); },
       [&](const Ledger& so_far) {
-        const ReportData data = publish_campaign({campaign, so_far}, {});
+        const CampaignResults data = publish_campaign({campaign, so_far}, {});
         progress.say(
             fmt::format("cycle {}: {}", so_far.entries.back().stage.cycle, spoken_outcome(data)));
       }};
   const Ledger finished = run_campaign(opened.ledger, plan_of(mill), effects);
   // Once more at the end: an earlier process may have died between its last stage and its results.
-  const ReportData data = publish_campaign({campaign, finished}, {});
+  const CampaignResults data = publish_campaign({campaign, finished}, {});
   publish_pictures_if_possible(folder, data, progress);
   progress.detail(fmt::format("{:.1f} s of processor time went elsewhere than into LIGGGHTS",
                               static_cast<double>(std::clock()) / CLOCKS_PER_SEC));

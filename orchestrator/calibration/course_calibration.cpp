@@ -161,7 +161,7 @@ CalibratedCourse calibrated_course(const Case& mill, const CampaignCourse& campa
 }
 
 void add_calibrated_course(const Case& mill, const std::vector<GaugeReading>& readings,
-                           ReportData& data) {
+                           CampaignResults& data) {
   if (!mill.gauge.calibrate_until || readings.empty() || data.history.size() < 2) return;
   try {
     data.calibrated = calibrated_course(mill, {data.history, data.replicates}, readings,

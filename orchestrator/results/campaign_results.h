@@ -115,8 +115,8 @@ struct MeasuredProfile {
   std::vector<Eigen::Vector2d> nodes;  ///< master frame (xi, eta) [m]
 };
 
-/// All that `report.html` shows. Vectors are in the order of the campaign; any may be empty.
-struct ReportData {
+/// What a campaign tells: computed once, written to `results/`, shown by the report. Vectors are in the order of the campaign; any may be empty.
+struct CampaignResults {
   std::string case_name;
   std::vector<LabelledValue> description;
   Life life;

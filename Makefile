@@ -1,10 +1,11 @@
 # millwear from the shell. `make help` says what there is.
-.PHONY: all build demo seed seed-check test unit check-style bench clean help
+.PHONY: all build demo seed seed-check test unit check-style bench install clean help
 
 PROGRAM := build/release/millwear
 DEMO_CASE := cases/pilot_mill/case.toml
 DEMO_RUN := runs/pilot_mill
 SEED := seed_mill_8m_desktop
+PREFIX := /usr/local
 CTEST := ctest --preset ci --no-tests=error
 
 all: build
@@ -42,6 +43,9 @@ bench: ## Time the contact reader and a geometry step
 	@cmake --build build/release --target bench_contact_reader bench_wear
 	@build/release/liggghts_inputs/bench/bench_contact_reader
 	@build/release/wear/bench/bench_wear
+
+install: build ## Install programs and library; PREFIX says where
+	@cmake --install build/release --prefix $(PREFIX)
 
 clean: ## Remove what was built; runs/ stays
 	rm -rf build

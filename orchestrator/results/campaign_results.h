@@ -115,7 +115,8 @@ struct MeasuredProfile {
   std::vector<Eigen::Vector2d> nodes;  ///< master frame (xi, eta) [m]
 };
 
-/// What a campaign tells: computed once, written to `results/`, shown by the report. Vectors are in the order of the campaign; any may be empty.
+/// What a campaign tells: computed once, written to `results/`, shown by the report. Vectors are in
+/// the order of the campaign; any may be empty.
 struct CampaignResults {
   std::string case_name;
   std::vector<LabelledValue> description;

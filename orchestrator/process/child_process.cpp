@@ -1,4 +1,4 @@
-#include "orchestrator/dem_run/child_process.h"
+#include "orchestrator/process/child_process.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -32,11 +32,12 @@ recorder/neighbours: recorder/liggghts
 recorder/pairs: mill/base recorder/liggghts
 recorder/record: mill wear recorder/liggghts recorder/pairs
 recorder/run: mill recorder/liggghts recorder/options recorder/neighbours recorder/pairs recorder/record
+orchestrator/process: mill/base
 orchestrator/campaign: mill meshgen wear
-orchestrator/dem_run: mill liggghts_inputs wear orchestrator/campaign
+orchestrator/dem_run: mill liggghts_inputs wear orchestrator/process orchestrator/campaign
 orchestrator/stages: mill wear orchestrator/campaign orchestrator/dem_run
 orchestrator/results: mill wear orchestrator/campaign orchestrator/dem_run
-orchestrator/report: mill/base orchestrator/results
+orchestrator/report: mill/base orchestrator/process orchestrator/results
 orchestrator/gauge: mill meshgen wear orchestrator/results
 orchestrator/calibration: mill wear orchestrator/campaign orchestrator/dem_run orchestrator/results orchestrator/gauge
 orchestrator/app: mill meshgen liggghts_inputs wear orchestrator

@@ -9,7 +9,7 @@
 
 #include "mill/base/failure.h"
 #include "orchestrator/app/command_line.h"
-#include "orchestrator/dem_run/child_process.h"
+#include "orchestrator/process/child_process.h"
 
 namespace {
 

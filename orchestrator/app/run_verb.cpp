@@ -19,9 +19,9 @@
 #include "orchestrator/campaign/output_path.h"
 #include "orchestrator/campaign/run_lock.h"
 #include "orchestrator/campaign/stage_order.h"
-#include "orchestrator/dem_run/child_process.h"
 #include "orchestrator/dem_run/cost_estimate.h"
 #include "orchestrator/dem_run/stretch_run.h"
+#include "orchestrator/process/child_process.h"
 #include "orchestrator/stages/run_stage.h"
 
 namespace millwear::orchestrator {

@@ -19,11 +19,11 @@
 #include "orchestrator/campaign/mesh_files.h"
 #include "orchestrator/campaign/open_campaign.h"
 #include "orchestrator/campaign/run_lock.h"
-#include "orchestrator/dem_run/child_process.h"
 #include "orchestrator/dem_run/cost_estimate.h"
 #include "orchestrator/dem_run/stretch_run.h"
 #include "orchestrator/dem_run/tune_stage.h"
 #include "orchestrator/dem_run/tuning_file.h"
+#include "orchestrator/process/child_process.h"
 #include "orchestrator/stages/run_stage.h"
 
 namespace millwear::orchestrator {

@@ -16,7 +16,7 @@
 #include "liggghts_inputs/decks/deck.h"
 #include "mill/base/failure.h"
 #include "mill/recording/recorder_orders.h"
-#include "orchestrator/dem_run/child_process.h"
+#include "orchestrator/process/child_process.h"
 
 namespace millwear::orchestrator {
 namespace {

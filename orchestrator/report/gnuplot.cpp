@@ -1,16 +1,15 @@
 #include "orchestrator/report/gnuplot.h"
 
 #include <fmt/format.h>
-#include <spawn.h>
 #include <sys/mman.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 
 #include "mill/base/failure.h"
+#include "orchestrator/process/child_process.h"
 
 namespace millwear::orchestrator {
 namespace {
@@ -48,39 +47,17 @@ class MemoryFile {
   int descriptor_;
 };
 
-pid_t started(const MemoryFile& input, const MemoryFile& output, const MemoryFile& messages) {
-  posix_spawn_file_actions_t actions;
-  ::posix_spawn_file_actions_init(&actions);
-  ::posix_spawn_file_actions_adddup2(&actions, input.descriptor(), STDIN_FILENO);
-  ::posix_spawn_file_actions_adddup2(&actions, output.descriptor(), STDOUT_FILENO);
-  ::posix_spawn_file_actions_adddup2(&actions, messages.descriptor(), STDERR_FILENO);
-  std::array<char, 8> name = {"gnuplot"};
-  std::array<char*, 2> arguments = {name.data(), nullptr};
-  pid_t process = 0;
-  const int problem =
-      ::posix_spawnp(&process, name.data(), &actions, nullptr, arguments.data(), environ);
-  ::posix_spawn_file_actions_destroy(&actions);
-  if (problem != 0)
-    throw ExternalProgramError(
-        fmt::format("gnuplot cannot be started ({}); install gnuplot-nox "
-                    "(apt-get install gnuplot-nox)",
-                    std::strerror(problem)));
-  return process;
-}
-
 }  // namespace
 
 std::string gnuplot_output(std::string_view commands) {
   MemoryFile input, output, messages;
   input.fill(commands);
-  const pid_t process = started(input, output, messages);
-  int status = 0;
-  while (::waitpid(process, &status, 0) < 0)
-    if (errno != EINTR)
-      throw ExternalProgramError(fmt::format("gnuplot was lost: {}", std::strerror(errno)));
-  if (status != 0)
+  ChildProcess gnuplot({program_on_path("gnuplot", "gnuplot-nox").string()},
+                       std::filesystem::current_path(),
+                       ChildFiles{input.descriptor(), output.descriptor(), messages.descriptor()});
+  if (const int code = gnuplot.wait(); code != 0)
     throw ExternalProgramError(
-        fmt::format("gnuplot failed (wait status {}): {}", status, messages.content()));
+        fmt::format("gnuplot failed (exit code {}): {}", code, messages.content()));
   return output.content();
 }
 

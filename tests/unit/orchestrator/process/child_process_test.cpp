@@ -1,5 +1,6 @@
-#include "orchestrator/dem_run/child_process.h"
+#include "orchestrator/process/child_process.h"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -65,6 +66,21 @@ TEST_F(Child, RunsInItsFolderWithBothOutputsInOnePipeAndNoInput) {
   ChildProcess child({"/bin/sh", "-c", "pwd; echo problem >&2; cat; exit 3"}, folder.path());
   EXPECT_EQ(printed_by(child), fs::canonical(folder.path()).string() + "\nproblem\n");
   EXPECT_EQ(child.wait(), 3);
+}
+
+TEST_F(Child, RunsOnFilesInThePlaceOfItsStreams) {
+  put_text(folder.path() / "input", "read");
+  const auto opened = [&](const char* name, int how) {
+    return ::open((folder.path() / name).c_str(), how | O_CREAT | O_CLOEXEC, 0600);
+  };
+  const ChildFiles files{opened("input", O_RDONLY), opened("output", O_WRONLY),
+                         opened("messages", O_WRONLY)};
+  ChildProcess child({"/bin/sh", "-c", "cat; echo problem >&2"}, folder.path(), files);
+  EXPECT_EQ(child.output(), -1);
+  EXPECT_EQ(child.wait(), 0);
+  for (const int file : {files.input, files.output, files.messages}) ::close(file);
+  EXPECT_EQ(text_of(folder.path() / "output"), "read");
+  EXPECT_EQ(text_of(folder.path() / "messages"), "problem\n");
 }
 
 TEST_F(Child, KilledGives128AndTheSignal) {

@@ -1,4 +1,4 @@
-#include "orchestrator/dem_run/child_process.h"
+#include "orchestrator/process/child_process.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -24,18 +24,18 @@ volatile std::sig_atomic_t interrupt_signal = 0;
 
 constexpr auto patience = std::chrono::seconds(5);
 
-[[noreturn]] void become(char* const* argv, const char* folder, int output, int problem_pipe,
-                         int parent) {
+[[noreturn]] void become(char* const* argv, const char* folder, const ChildFiles& files,
+                         int problem_pipe, int parent) {
   ::setpgid(0, 0);
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (::getppid() != parent) ::_exit(127);
   ::signal(SIGINT, SIG_DFL);
   ::signal(SIGTERM, SIG_DFL);
-  const int input = ::open("/dev/null", O_RDONLY);
-  if (::chdir(folder) == 0 && input >= 0) {
-    ::dup2(input, STDIN_FILENO);
-    ::dup2(output, STDOUT_FILENO);
-    ::dup2(output, STDERR_FILENO);
+  if (::chdir(folder) == 0 && ::dup2(files.input, STDIN_FILENO) >= 0 &&
+      ::dup2(files.output, STDOUT_FILENO) >= 0 && ::dup2(files.messages, STDERR_FILENO) >= 0) {
+    // A file that already was the stream keeps its close-on-exec.
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+      ::fcntl(stream, F_SETFD, 0);
     ::execv(argv[0], argv);
   }
   const int problem = errno;
@@ -43,37 +43,55 @@ constexpr auto patience = std::chrono::seconds(5);
   ::_exit(127);
 }
 
+/// The reading end, then the writing end.
+std::array<int, 2> new_pipe(const std::string& program) {
+  std::array<int, 2> ends{};
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0)
+    throw ExternalProgramError(fmt::format("no pipe to {}: {}", program, std::strerror(errno)));
+  return ends;
+}
+
+int no_input() { return ::open("/dev/null", O_RDONLY | O_CLOEXEC); }
+
 }  // namespace
 
 ChildProcess::ChildProcess(const std::vector<std::string>& command,
-                           const std::filesystem::path& folder) {
-  std::array<int, 2> output{}, problem{};
-  if (::pipe2(output.data(), O_CLOEXEC) != 0 || ::pipe2(problem.data(), O_CLOEXEC) != 0)
-    throw ExternalProgramError(fmt::format("no pipe to {}: {}", command[0], std::strerror(errno)));
+                           const std::filesystem::path& folder,
+                           const std::optional<ChildFiles>& files) {
+  const auto problem = new_pipe(command[0]);
+  const auto output = files ? std::array{-1, -1} : new_pipe(command[0]);
+  const ChildFiles streams = files ? *files : ChildFiles{no_input(), output[1], output[1]};
   std::vector<char*> argv;
   for (const auto& word : command) argv.push_back(const_cast<char*>(word.c_str()));
   argv.push_back(nullptr);
   const std::string folder_text = folder.string();
   const int parent = ::getpid();
   pid_ = ::fork();
-  if (pid_ == 0) become(argv.data(), folder_text.c_str(), output[1], problem[1], parent);
+  if (pid_ == 0) become(argv.data(), folder_text.c_str(), streams, problem[1], parent);
   int why = errno;
-  ::close(output[1]);
+  if (!files) {
+    ::close(streams.input);
+    ::close(streams.output);
+  }
   ::close(problem[1]);
   output_ = output[0];
   const bool failed = pid_ < 0 || ::read(problem[0], &why, sizeof why) == sizeof why;
   ::close(problem[0]);
   if (failed) {
-    ::close(output_);
+    close_output();
     if (pid_ > 0) ::waitpid(pid_, nullptr, 0);
     throw ExternalProgramError(
         fmt::format("{} cannot be started: {}", command[0], std::strerror(why)));
   }
-  ::fcntl(output_, F_SETFL, O_NONBLOCK);
+  if (output_ >= 0) ::fcntl(output_, F_SETFL, O_NONBLOCK);
+}
+
+void ChildProcess::close_output() const {
+  if (output_ >= 0) ::close(output_);
 }
 
 ChildProcess::~ChildProcess() {
-  ::close(output_);
+  close_output();
   if (ended_) return;
   ::kill(-pid_, SIGTERM);
   const auto until = std::chrono::steady_clock::now() + patience;

@@ -1,28 +1,41 @@
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace millwear::orchestrator {
 
-/// A running program in a process group of its own, its standard output and error in one pipe.
-/// The group dies with this object, and with this process however that ends.
+/// Open files in the place of a program's standard streams, as file descriptors.
+struct ChildFiles {
+  int input;
+  int output;
+  int messages;
+};
+
+/// A running program in a process group of its own. The group dies with this object, and with this
+/// process however that ends.
 class ChildProcess {
  public:
-  /// Throws ExternalProgramError if the program cannot be started.
-  ChildProcess(const std::vector<std::string>& command, const std::filesystem::path& folder);
+  /// Runs the program without input and with standard output and error in one pipe; or on `files`,
+  /// then without a pipe. Throws ExternalProgramError if the program cannot be started.
+  ChildProcess(const std::vector<std::string>& command, const std::filesystem::path& folder,
+               const std::optional<ChildFiles>& files = {});
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  [[nodiscard]] int output() const { return output_; }  ///< file descriptor, non-blocking
+  /// The pipe's end, non-blocking.
+  [[nodiscard]] int output() const { return output_; }
 
   /// Waits for the end; the exit code, or 128 + signal.
   [[nodiscard]] int wait();
 
  private:
+  void close_output() const;
+
   int pid_;
-  int output_;
+  int output_ = -1;
   bool ended_ = false;
 };
 

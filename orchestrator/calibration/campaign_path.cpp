@@ -24,7 +24,7 @@ std::vector<wear::PathStep> steps_of(const KeptCampaign& kept, int cycle) {
 
 /// The smoothed rate of a load, along the liner in the steel's frame.
 wear::ArcCurve rate_along_steel(const Case& mill, const WallLoad& recorded, Rotation rotation) {
-  wear::ArcCurve rate = wear::rate_of_load(mill, recorded).smoothed.rate;
+  wear::ArcCurve rate = wear::rate_of_load(mill.wear, mill.charge.classes, recorded).smoothed.rate;
   if (rotation == Rotation::reversed) rate.values.reverseInPlace();
   return rate;
 }

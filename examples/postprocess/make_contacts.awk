@@ -10,7 +10,8 @@ BEGIN {
       # A place (xi, eta) on a lifter or the plate beside it: most slip at the top of the leading face.
       place = random(); share = random()
       if (place < 0.4) { eta = height * share; xi = half_top + (height - eta) * tangent; slip = 0.1 + 0.7 * share * share }
-      else if (place < 0.6) { eta = height; xi = half_top * (2 * share - 1); slip = 0.4 + 0.3 * share }
+      else if (place < 0.6) { eta = height; xi = half_top * (2 * share - 1); slip = 0.8 }
+      else if (place < 0.65) { eta = height * share; xi = -half_top - (height - eta) * tangent; slip = 0.8 * share }
       else { beta = foot / radius + share * (2 * pi / rows - 2 * foot / radius)
              xi = radius * sin(beta); eta = radius * (1 - cos(beta)); slip = 0.1 }
       # The lifter is one that lies under the charge, between 10 degrees before and 110 after six o'clock.

@@ -6,6 +6,11 @@ include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/millwear)
 set(header_folder ${CMAKE_INSTALL_INCLUDEDIR}/millwear)
 
+if(MILLWEAR_SANITIZE)
+  install(CODE "message(FATAL_ERROR \"a build with sanitizers is not installed: a program that links \
+its library would need them too; install build/release\")")
+endif()
+
 install(TARGETS millwear millwear-recorder RUNTIME)
 
 # Headers that know another library than Eigen are for our own sources.

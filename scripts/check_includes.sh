@@ -107,6 +107,20 @@ library LIGGGHTS "liggghts/" recorder/record/charge_census.cpp recorder/run/deck
 library MPI "mpi\.h" recorder/run/main.cpp recorder/record/rank_exchange.h \
   recorder/run/steady_mixing_run.cpp recorder/record/stretch_recorder.h
 
+# A program that links the wear library need not describe a whole mill: no header of it reaches
+# `Case`, neither itself nor through another.
+reached=$(ls wear/*/*.h)
+while :; do
+  # shellcheck disable=SC2086  # the list is meant to be split
+  more=$(grep -hoE '^#include "(mill|wear)/[^"]+' $reached | sed 's/#include "//')
+  wider=$(printf '%s\n%s\n' "$reached" "$more" | sort -u)
+  [ "$wider" != "$reached" ] || break
+  reached=$wider
+done
+# shellcheck disable=SC2086
+wholes=$(grep -nE '^#include "mill/case/case\.h"' $reached /dev/null || true)
+[ -z "$wholes" ] || { echo "a header of wear takes in the whole case:"; echo "$wholes"; broken=1; }
+
 # The wear library's computations are pure: no files, clock or randomness. Its stores are the exception.
 impure=$(grep -nE '#include <(fstream|iostream|filesystem|chrono|random|cstdlib|unistd.h)>' -r wear \
   --include='*.h' --include='*.cpp' --exclude-dir=bench |

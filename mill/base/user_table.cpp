@@ -69,6 +69,21 @@ std::optional<std::size_t> column_named(const UserTable& table, std::string_view
   return static_cast<std::size_t>(found - names.begin());
 }
 
+std::size_t needed_column(const UserTable& table, std::string_view name) {
+  if (table.header.line == 0) {
+    refuse_line(
+        table.file, 1,
+        fmt::format("the table is empty; its first line names the columns, among them `{}`", name));
+  }
+  const auto found = column_named(table, name);
+  if (!found) {
+    refuse_line(
+        table.file, table.header.line,
+        fmt::format("no column `{}` among {}; add it", name, fmt::join(table.header.fields, ", ")));
+  }
+  return *found;
+}
+
 double number_in(const UserTable& table, const UserRow& row, std::size_t column,
                  std::string_view such_as) {
   const std::string& text = row.fields.at(column);

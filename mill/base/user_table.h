@@ -28,6 +28,9 @@ struct UserTable {
 [[nodiscard]] std::optional<std::size_t> column_named(const UserTable& table,
                                                       std::string_view name);
 
+/// The same for a column that the table has to have. Throws InputError (file:line) if it has not.
+[[nodiscard]] std::size_t needed_column(const UserTable& table, std::string_view name);
+
 /// The number in a field. Throws InputError (file:line) for anything else; `such_as` says what
 /// would be right: "metres, such as 0.215".
 [[nodiscard]] double number_in(const UserTable& table, const UserRow& row, std::size_t column,

@@ -14,8 +14,6 @@ namespace {
 
 constexpr double gravity = 9.81;  // [m/s2]
 
-bool smaller(const ParticleClass& a, const ParticleClass& b) { return a.diameter < b.diameter; }
-
 }  // namespace
 
 const MaterialPair& pair_of(const Case& mill, std::size_t a, std::size_t b) {
@@ -72,15 +70,9 @@ double softened_shear_modulus(const Case& mill, std::size_t material) {
   return mill.materials.at(material).shear_modulus / modulus_reduction(mill, material);
 }
 
-double largest_diameter(const Case& mill) {
-  const auto& classes = mill.charge.classes;
-  return std::max_element(classes.begin(), classes.end(), smaller)->diameter;
-}
+double largest_diameter(const Case& mill) { return largest_diameter(mill.charge.classes); }
 
-double smallest_diameter(const Case& mill) {
-  const auto& classes = mill.charge.classes;
-  return std::min_element(classes.begin(), classes.end(), smaller)->diameter;
-}
+double smallest_diameter(const Case& mill) { return smallest_diameter(mill.charge.classes); }
 
 std::string_view name_of(RollingFriction model) {
   return model == RollingFriction::cdt ? "cdt" : "epsd2";
@@ -91,14 +83,6 @@ std::string_view name_of(ContactPath path) {
 }
 
 std::string_view name_of(RankSplit split) { return split == RankSplit::charge ? "charge" : "axis"; }
-
-std::string_view name_of(SmoothingMethod method) {
-  return method == SmoothingMethod::paper ? "paper" : "penalised";
-}
-
-std::string_view name_of(Scheme scheme) {
-  return scheme == Scheme::adaptive ? "adaptive" : "threshold";
-}
 
 double mesh_tolerance(const Case& mill) {
   return mill.dem.mesh_tolerance * 0.5 * smallest_diameter(mill);

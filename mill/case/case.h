@@ -7,8 +7,9 @@
 #include <string_view>
 #include <vector>
 
+#include "mill/case/campaign_settings.h"
 #include "mill/case/charge.h"
-#include "mill/case/wear_mechanism.h"
+#include "mill/case/wear_settings.h"
 #include "mill/liner/liner_profile.h"
 
 namespace millwear {
@@ -96,47 +97,6 @@ struct DemSettings {
   bool tune = false;  ///< a campaign chooses `skin` and `rank_split` by a trial; they are not given
   bool mix_until_steady = false;  ///< mixing ends once it is steady (mill/load/steady_mixing.h;
                                   ///< recorder only), with `mix_revolutions` the most
-};
-
-/// How the sampled load is smoothed along the profile. docs/physics.md has both.
-enum class SmoothingMethod {
-  penalised,  ///< as much as the load's own noise asks for
-  paper,      ///< the two splines of the 2006 paper, the same for every load
-};
-
-/// As the case file writes it.
-[[nodiscard]] std::string_view name_of(SmoothingMethod method);
-
-struct WearSettings {
-  std::vector<WearMechanism> mechanisms;  ///< the law is their sum
-  int bins = 120;                         ///< along one pitch
-  int time_blocks = 10;                   ///< replicates of the load in one measurement
-  double excess_speed = 0.1;              ///< v_0 of the excess kinetic energy of an impact [m/s]
-  SmoothingMethod smoothing{};            ///< of the load along the profile
-};
-
-/// How the next DEM is timed.
-enum class Scheme {
-  threshold,  ///< after a worn share of the lifter, the load standing still (the 2006 paper)
-  adaptive,   ///< second order in time, with the step set by the error of the last
-};
-
-/// As the case file writes it.
-[[nodiscard]] std::string_view name_of(Scheme scheme);
-
-/// When to run the DEM anew, and when to stop.
-struct CampaignSettings {
-  double threshold = 0.15;  ///< worn share of the new lifter's volume per DEM load
-  int steps_per_cycle = 5;  ///< geometry steps on one DEM load
-  double height_limit;      ///< the liner is worn out at this lifter height [m]
-  double plate_limit;       ///< ... or at this least plate thickness [m]
-  int cycle_limit = 50;     ///< stop after so many cycles
-  Scheme scheme = Scheme::threshold;
-  double step_tolerance = 0.005;  ///< adaptive: share of the new lifter's volume that one load may
-                                  ///< wear at the wrong place
-  double largest_share = 0.25;    ///< adaptive: ... that one load may wear at all
-  std::vector<double> reversal_times = {};  ///< of milling, at which the rotation turns to the
-                                            ///< other way, increasing [s] (mill/liner/rotation.h)
 };
 
 /// How the gauge readings are held against the campaign. Nothing that is simulated depends on it.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -12,6 +13,14 @@ namespace millwear {
 
 double sphere_volume(double diameter) {
   return std::numbers::pi / 6.0 * diameter * diameter * diameter;
+}
+
+double largest_diameter(const std::vector<ParticleClass>& classes) {
+  return std::ranges::max(classes, {}, &ParticleClass::diameter).diameter;
+}
+
+double smallest_diameter(const std::vector<ParticleClass>& classes) {
+  return std::ranges::min(classes, {}, &ParticleClass::diameter).diameter;
 }
 
 std::optional<std::size_t> class_of(const std::vector<ParticleClass>& classes, std::size_t material,

@@ -28,6 +28,10 @@ struct ChargeTotals {
 
 [[nodiscard]] double sphere_volume(double diameter);
 
+/// Diameters [m] of the largest and of the smallest particles; there is at least one class.
+[[nodiscard]] double largest_diameter(const std::vector<ParticleClass>& classes);
+[[nodiscard]] double smallest_diameter(const std::vector<ParticleClass>& classes);
+
 /// The class of a particle of this material and diameter [m], to a millionth of it; none where no
 /// class fits.
 [[nodiscard]] std::optional<std::size_t> class_of(const std::vector<ParticleClass>& classes,

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "mill/case/charge.h"
+#include "mill/case/case.h"
 
 namespace millwear {
 namespace {

@@ -1,9 +1,9 @@
 #pragma once
 #include <vector>
 
-#include "mill/case/case.h"
-
 namespace millwear {
+
+struct Case;
 
 /// What resists the slip of a class's particles on the liner, in the Hertz and Mindlin contact that
 /// the DEM has.

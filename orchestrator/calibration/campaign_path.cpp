@@ -24,7 +24,8 @@ std::vector<wear::PathStep> steps_of(const OpenCampaign& kept, int cycle) {
 
 /// The smoothed rate of a load, along the liner in the steel's frame.
 wear::ArcCurve rate_along_steel(const Case& mill, const WallLoad& recorded, Rotation rotation) {
-  return as_turned(wear::rate_of_load(mill, recorded).smoothed.rate, rotation);
+  return as_turned(wear::rate_of_load(mill.wear, mill.charge.classes, recorded).smoothed.rate,
+                   rotation);
 }
 
 }  // namespace

@@ -57,8 +57,8 @@ double share_elsewhere(const Eigen::VectorXd& first, const Eigen::VectorXd& seco
 }
 
 LawOnLoad law_on_load(const Case& campaign, const Case& other, const WallLoad& recorded) {
-  const auto before = wear::rate_of_load(campaign, recorded);
-  const auto after = wear::rate_of_load(other, recorded);
+  const auto before = wear::rate_of_load(campaign.wear, campaign.charge.classes, recorded);
+  const auto after = wear::rate_of_load(other.wear, other.charge.classes, recorded);
   const Eigen::VectorXd widths = before.load.bin_widths();
   LawOnLoad result{after.raw.dot(widths),
                    before.raw.dot(widths),
@@ -70,7 +70,7 @@ LawOnLoad law_on_load(const Case& campaign, const Case& other, const WallLoad& r
   else
     result.elsewhere = 0.0;
   for (const auto& mechanism : other.wear.mechanisms) {
-    const auto weights = wear::weights_of(mechanism, other.charge);
+    const auto weights = wear::weights_of(mechanism, other.charge.classes);
     const double section = wear::depth_rate(weights, after.load).dot(widths);
     result.shares.push_back(result.section_rate > 0.0 ? section / result.section_rate : unknown);
   }
@@ -110,7 +110,7 @@ std::vector<WearRateRow> wear_rates(const ReappliedLaw& law, const RunFolder& fo
         0.5 * (load.bin_edges.head(load.bins()) + load.bin_edges.tail(load.bins()));
     int number = 0;
     for (const auto& mechanism : law.other.wear.mechanisms) {
-      const auto weights = wear::weights_of(mechanism, law.other.charge);
+      const auto weights = wear::weights_of(mechanism, law.other.charge.classes);
       const Eigen::VectorXd rate = wear::depth_rate(weights, load);
       const Eigen::VectorXd error =
           wear::error_of_mean(wear::as_independent(wear::depth_rate_by_block(weights, load)));

@@ -54,9 +54,10 @@ Measured stretch_measures(const Case& mill, const liggghts::StretchSteps& steps,
   measured.samples = steps.samples();
   measured.rejected_share = wear::rejected_share(record.load);
   measured.revolutions = steps.measure_time() * mill.speed / (2.0 * std::numbers::pi);
-  measured.peak_error = record.goal
-                            ? record.goal->peak_error
-                            : wear::peak_error(wear::rate_of_load(mill, record.load).smoothed);
+  measured.peak_error =
+      record.goal ? record.goal->peak_error
+                  : wear::peak_error(
+                        wear::rate_of_load(mill.wear, mill.charge.classes, record.load).smoothed);
   if (record.goal) measured.target_error = record.goal->target_error;
   return measured;
 }

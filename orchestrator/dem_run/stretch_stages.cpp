@@ -128,10 +128,9 @@ liggghts::StretchSteps record(const Campaign& campaign, int cycle,
 void read_dumps(const Campaign& campaign, int cycle, const liggghts::StretchSteps& steps,
                 const fs::path& into, Progress& progress) {
   const auto& mill = campaign.mill;
-  wear::LoadAccumulator load(
-      dem_liner_of_cycle(campaign, cycle),
-      wear::load_measurement(mill, steps.measure_time(), steps.sample_interval(),
-                             mesh_of(campaign, cycle).triangles));
+  wear::LoadAccumulator load(dem_liner_of_cycle(campaign, cycle),
+                             load_measurement(mill, steps.measure_time(), steps.sample_interval(),
+                                              mesh_of(campaign, cycle).triangles));
   liggghts::ContactJoin join(
       mill, steps, [&](const WallContacts& sample) { load.add(sample); },
       [&](const WallContacts& sample) { load.begin_with(sample); });

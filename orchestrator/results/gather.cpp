@@ -65,7 +65,7 @@ LoadAlongProfile load_of_cycle(const Campaign& campaign, int cycle, const wear::
   const auto& load = rate.load;
   const Eigen::VectorXd widths = load.bin_widths();
   const Eigen::VectorXd centres = load.bin_edges.head(load.bins()) + 0.5 * widths;
-  const auto how = wear::smoothing_of(campaign.mill);
+  const auto how = wear::smoothing_of(campaign.mill.wear, campaign.mill.charge.classes);
   const Eigen::ArrayXd surface_time =
       load.bin_area().array() * static_cast<double>(load.rows) * load.duration;
   return {cycle,
@@ -159,7 +159,7 @@ wear::WornCycle add_cycle(const Campaign& campaign, int cycle, double time, Camp
   data.conservation.push_back(balance);
   data.power.push_back(
       power_of_cycle(cycle, measured, static_cast<int>(recorded.load.block_count)));
-  const auto rate = wear::rate_of_load(mill, recorded.load);
+  const auto rate = wear::rate_of_load(mill.wear, mill.charge.classes, recorded.load);
   data.loads.push_back(load_of_cycle(campaign, cycle, rate));
   data.impacts.push_back(impacts_of(cycle, recorded, mill));
   data.motion.push_back(motion_of_cycle(cycle, measured, recorded));

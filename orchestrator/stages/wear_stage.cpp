@@ -46,7 +46,7 @@ LoadsOfCycle loads_of_cycle(const Campaign& campaign, int cycle) {
   std::vector<wear::TimedLoad> timed;
   for (int i = first;; ++i) {
     const wear::LoadRate rate = wear::rate_of_load(
-        campaign.mill,
+        campaign.mill.wear, campaign.mill.charge.classes,
         wear::read_load(campaign.folder.stage({i, StageKind::dem}) / stage_files::load));
     timed.push_back(timed_load(campaign, i, milling_time_before(campaign, i), rate));
     if (i == cycle) return {std::move(timed), rate};

@@ -24,8 +24,9 @@ long expected_step(const RecordingPlan& plan, const wear::MeasurementGoal& goal)
 
 NextPiece next_piece(const Case& mill, const RecordingPlan& plan, const WallLoad& load) {
   const auto& going_on = *plan.going_on;
-  const wear::MeasurementGoal goal{going_on.target_error,
-                                   wear::peak_error(wear::rate_of_load(mill, load).smoothed)};
+  const wear::MeasurementGoal goal{
+      going_on.target_error,
+      wear::peak_error(wear::rate_of_load(mill.wear, mill.charge.classes, load).smoothed)};
   if (wear::is_reached(goal) || plan.last_step + going_on.by_steps > going_on.at_most)
     return {goal, 0, plan.last_step};
   return {goal, going_on.by_steps, expected_step(plan, goal)};

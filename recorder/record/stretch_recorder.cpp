@@ -38,12 +38,12 @@ std::size_t triangles_of(LAMMPS_NS::FixMeshSurface& mesh) {
   return static_cast<std::size_t>(std::max(triangles.sizeGlobal(), triangles.sizeLocal()));
 }
 
-wear::LoadMeasurement measurement_of(const Case& mill, const RecordingPlan& plan, double time_step,
-                                     std::size_t triangles) {
-  auto measurement = wear::load_measurement(
-      mill, time_step * static_cast<double>(plan.last_step - plan.first_step),
-      time_step * static_cast<double>(plan.every_steps), triangles);
-  measurement.motion = wear::MotionRecord::kept;
+LoadMeasurement measurement_of(const Case& mill, const RecordingPlan& plan, double time_step,
+                               std::size_t triangles) {
+  auto measurement =
+      load_measurement(mill, time_step * static_cast<double>(plan.last_step - plan.first_step),
+                       time_step * static_cast<double>(plan.every_steps), triangles);
+  measurement.motion = MotionRecord::kept;
   return measurement;
 }
 

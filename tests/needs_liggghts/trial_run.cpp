@@ -154,7 +154,7 @@ void join_dumps(const Case& mill, const liggghts::StretchSteps& steps, const Dum
 WallLoad load_of(const Case& mill, const liggghts::StretchSteps& steps, const LinerProfile& liner,
                  const Dumps& dumps) {
   wear::LoadAccumulator accumulator(
-      liner, wear::load_measurement(mill, steps.measure_time(), steps.sample_interval(), 0));
+      liner, load_measurement(mill, steps.measure_time(), steps.sample_interval(), 0));
   join_dumps(
       mill, steps, dumps, [&](const WallContacts& sample) { accumulator.add(sample); },
       [&](const WallContacts& sample) { accumulator.begin_with(sample); });
@@ -164,7 +164,8 @@ WallLoad load_of(const Case& mill, const liggghts::StretchSteps& steps, const Li
 }
 
 double worn_volume(const Case& mill, const WallLoad& load) {
-  const auto depth = wear::depth_rate(wear::weights_of(mill), load);
+  const auto depth =
+      wear::depth_rate(wear::weights_of(mill.wear.mechanisms, mill.charge.classes), load);
   return depth.dot(load.bin_area()) * load.rows * load.duration;
 }
 

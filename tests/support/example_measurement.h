@@ -1,11 +1,11 @@
 #pragma once
 #include "mill/case/case.h"
-#include "wear/record/load_measurement.h"
+#include "mill/load/load_measurement.h"
 
 namespace millwear::orchestrator {
 
 /// A second of the example mill in a hundred samples and ten blocks.
-inline wear::LoadMeasurement example_measurement(const Case& mill) {
+inline LoadMeasurement example_measurement(const Case& mill) {
   return {.bins = mill.wear.bins,
           .class_mass = {1.0, 0.1, 0.05},
           .particles = 10,

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "mill/case/case.h"
+#include "mill/case/campaign_settings.h"
 #include "mill/liner/rotation.h"
 #include "wear/band/life_band.h"
 #include "wear/band/liner_replicates.h"

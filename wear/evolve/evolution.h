@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "mill/case/case.h"
+#include "mill/case/campaign_settings.h"
 #include "mill/liner/liner_profile.h"
 #include "wear/evolve/load_in_time.h"
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <span>
 
-#include "mill/case/case.h"
+#include "mill/case/campaign_settings.h"
 #include "mill/liner/liner_profile.h"
 #include "wear/evolve/load_carrier.h"
 #include "wear/evolve/timed_load.h"

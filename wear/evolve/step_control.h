@@ -1,7 +1,7 @@
 #pragma once
 #include <span>
 
-#include "mill/case/case.h"
+#include "mill/case/campaign_settings.h"
 #include "wear/evolve/load_in_time.h"
 
 namespace millwear::wear {

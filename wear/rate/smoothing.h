@@ -1,7 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 
-#include "mill/case/case.h"
+#include "mill/case/wear_settings.h"
 #include "wear/numerics/arc_curve.h"
 
 namespace millwear::wear {

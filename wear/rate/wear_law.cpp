@@ -75,12 +75,12 @@ Measure measure_of(WearLaw law) {
   throw std::logic_error("this wear law goes with no measure");
 }
 
-LawWeights weights_of(const WearMechanism& mechanism, const Charge& charge) {
-  const auto classes = static_cast<Eigen::Index>(charge.classes.size());
-  LawWeights weights{Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(measure_count), classes),
+LawWeights weights_of(const WearMechanism& mechanism, const std::vector<ParticleClass>& classes) {
+  const auto class_count = static_cast<Eigen::Index>(classes.size());
+  LawWeights weights{Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(measure_count), class_count),
                      mechanism.depth_rate};
-  for (Eigen::Index kind = 0; kind < classes; ++kind) {
-    if (concerns(mechanism, charge.classes[static_cast<std::size_t>(kind)])) {
+  for (Eigen::Index kind = 0; kind < class_count; ++kind) {
+    if (concerns(mechanism, classes[static_cast<std::size_t>(kind)])) {
       weights.per_energy(static_cast<Eigen::Index>(measure_of(mechanism.law)), kind) =
           mechanism.specific_wear_rate;
     }
@@ -88,12 +88,13 @@ LawWeights weights_of(const WearMechanism& mechanism, const Charge& charge) {
   return weights;
 }
 
-LawWeights weights_of(const Case& mill) {
+LawWeights weights_of(const std::vector<WearMechanism>& mechanisms,
+                      const std::vector<ParticleClass>& classes) {
   LawWeights sum{Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(measure_count),
-                                       static_cast<Eigen::Index>(mill.charge.classes.size())),
+                                       static_cast<Eigen::Index>(classes.size())),
                  0.0};
-  for (const WearMechanism& mechanism : mill.wear.mechanisms) {
-    const LawWeights weights = weights_of(mechanism, mill.charge);
+  for (const WearMechanism& mechanism : mechanisms) {
+    const LawWeights weights = weights_of(mechanism, classes);
     sum.per_energy += weights.per_energy;
     sum.corrosion += weights.corrosion;
   }

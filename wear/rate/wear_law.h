@@ -1,7 +1,8 @@
 #pragma once
 #include <Eigen/Core>
+#include <vector>
 
-#include "mill/case/case.h"
+#include "mill/case/wear_mechanism.h"
 #include "mill/load/wall_load.h"
 
 namespace millwear::wear {
@@ -17,10 +18,12 @@ struct LawWeights {
 /// The measure that a law goes with. Throws std::logic_error for corrosion, which has none.
 [[nodiscard]] Measure measure_of(WearLaw law);
 
-/// The weights of all mechanisms of a case, and of one alone. They add: the weights, and the rates,
-/// of the whole law are the sum of those of its mechanisms.
-[[nodiscard]] LawWeights weights_of(const Case& mill);
-[[nodiscard]] LawWeights weights_of(const WearMechanism& mechanism, const Charge& charge);
+/// The weights of all mechanisms for the classes of a charge, and of one alone. They add: the
+/// weights, and the rates, of the whole law are the sum of those of its mechanisms.
+[[nodiscard]] LawWeights weights_of(const std::vector<WearMechanism>& mechanisms,
+                                    const std::vector<ParticleClass>& classes);
+[[nodiscard]] LawWeights weights_of(const WearMechanism& mechanism,
+                                    const std::vector<ParticleClass>& classes);
 
 /// Wear depth rate of each bin [m/s of milling], size = load.bins(), never below zero:
 ///     corrosion + sum k(m, c) E(m, c) / (A rows T),   A the bin's area on one lifter [m2],

@@ -3,11 +3,11 @@
 #include <vector>
 
 #include "mill/liner/liner_profile.h"
+#include "mill/load/load_measurement.h"
 #include "mill/load/wall_contacts.h"
 #include "mill/load/wall_load.h"
 #include "wear/record/collision_tracker.h"
 #include "wear/record/liner_record.h"
-#include "wear/record/load_measurement.h"
 #include "wear/record/profile_index.h"
 
 namespace millwear::wear {

@@ -20,8 +20,8 @@ constexpr Eigen::Index zones = 12;
 constexpr double hour = 3600.0;
 constexpr double year = 8766.0 * hour;
 
-/// A charge of one class.
-Charge one_class() { return {{{0, 0.05, 100}}, {}, 0.4, 0.0}; }
+/// All particles are of one class.
+const std::vector<ParticleClass> one_class = {{0, 0.05, 100}};
 
 /// What wears the synthetic liner: sliding on the leading face and the top, more as the lifter gets
 /// lower; impacts on top, trailing face and plate, fewer as it gets lower.
@@ -73,7 +73,7 @@ WallLoad load_on(const LinerProfile& profile, Pattern pattern) {
 ArcCurve rate_of(const std::vector<WearMechanism>& mechanisms, const WallLoad& load) {
   ArcCurve curve{load.bin_edges, Eigen::VectorXd::Zero(bins)};
   for (const auto& mechanism : mechanisms)
-    curve.values += depth_rate(weights_of(mechanism, one_class()), load);
+    curve.values += depth_rate(weights_of(mechanism, one_class), load);
   return curve;
 }
 

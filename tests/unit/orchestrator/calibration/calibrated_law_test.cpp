@@ -75,7 +75,8 @@ class CalibratedCampaign : public testing::Test {
                                                         const WallLoad& load) const {
     return wear::evolve(
                std::vector<wear::TimedLoad>{
-                   {0.0, liner, wear::rate_of_load(mill, load).smoothed.rate}},
+                   {0.0, liner,
+                    wear::rate_of_load(mill.wear, mill.charge.classes, load).smoothed.rate}},
                lifter_area(mill.liner), mill.campaign)
         .steps;
   }

@@ -90,13 +90,17 @@ TEST(LawOnLoad, WithoutWearHasNoShares) {
   EXPECT_TRUE(std::isnan(law.shares.front()));
 }
 
+wear::LoadRate rate_under(const std::vector<WearMechanism>& mechanisms) {
+  const Case mill = mill_with(mechanisms);
+  return wear::rate_of_load(mill.wear, mill.charge.classes, two_places());
+}
+
 // Corrosion is added after the smoothing: bins without contact lose exactly its rate, the others
 // exactly as much more than without it, and the volume is that of both.
 TEST(RateOfLoad, AddsCorrosionExactlyConstant) {
   const double corrosion = 2e-10;
-  const auto alone = wear::rate_of_load(mill_with({{WearLaw::archard, 1e-12}}), two_places());
-  const auto both = wear::rate_of_load(
-      mill_with({{WearLaw::archard, 1e-12}, {WearLaw::corrosion, 0.0, corrosion}}), two_places());
+  const auto alone = rate_under({{WearLaw::archard, 1e-12}});
+  const auto both = rate_under({{WearLaw::archard, 1e-12}, {WearLaw::corrosion, 0.0, corrosion}});
   const Eigen::VectorXd expected = alone.smoothed.rate.values.array() + corrosion;
   EXPECT_EQ(both.smoothed.rate.values, expected);
   EXPECT_EQ(both.raw[0], corrosion);
@@ -107,7 +111,7 @@ TEST(RateOfLoad, AddsCorrosionExactlyConstant) {
 }
 
 TEST(RateOfLoad, TakesCorrosionAlone) {
-  const auto rate = wear::rate_of_load(mill_with({{WearLaw::corrosion, 0.0, 2e-10}}), two_places());
+  const auto rate = rate_under({{WearLaw::corrosion, 0.0, 2e-10}});
   EXPECT_EQ(rate.smoothed.rate.values.minCoeff(), 2e-10);
   EXPECT_EQ(rate.smoothed.rate.values.maxCoeff(), 2e-10);
   EXPECT_EQ(rate.smoothed.moved_share, 0.0);

@@ -42,7 +42,7 @@ WallLoad load_of(Measure measure, const Eigen::MatrixX3d& by_class) {
 }
 
 LawWeights law(WearLaw which, double coefficient = 1e-12) {
-  return weights_of({which, coefficient}, charge);
+  return weights_of({which, coefficient}, charge.classes);
 }
 
 /// Steel lost in the whole load on all lifters [m3].
@@ -103,7 +103,7 @@ TEST(IncidentEnergy, LosesTheKineticEnergyOfImpact) {
 // 1 mm a year is 3.1688e-11 m/s, on a bin that nothing touched as on any other.
 TEST(Corrosion, IsTheSameEverywhereAndNeedsNoLoad) {
   const double rate = 1e-3 / (365.25 * 24.0 * 3600.0);
-  const LawWeights weights = weights_of({WearLaw::corrosion, 0.0, rate}, charge);
+  const LawWeights weights = weights_of({WearLaw::corrosion, 0.0, rate}, charge.classes);
   const WallLoad load = empty_load(3, 2, 5.0);
   for (const double depth : depth_rate(weights, load)) EXPECT_EQ(depth, rate);
   const Eigen::MatrixXd blocks = depth_rate_by_block(weights, load);
@@ -114,11 +114,10 @@ TEST(Corrosion, IsTheSameEverywhereAndNeedsNoLoad) {
 // 100 J from each class. Balls: 1e-12. Ore: 3e-12. Particles up to 20 mm: 5e-12 more.
 // V = 100 (1 + 3 + (3 + 5)) 1e-12 = 1.2e-9 m3.
 TEST(WearLaw, TakesEachMechanismFromItsOwnParticlesAndAdds) {
-  Case mill = example_case();
-  mill.wear.mechanisms = {{WearLaw::archard, 1e-12, 0.0, std::size_t{0}},
-                          {WearLaw::archard, 3e-12, 0.0, std::size_t{1}},
-                          {WearLaw::archard, 5e-12, 0.0, {}, {}, 0.02}};
-  const LawWeights weights = weights_of(mill);
+  const std::vector<WearMechanism> mechanisms = {{WearLaw::archard, 1e-12, 0.0, std::size_t{0}},
+                                                 {WearLaw::archard, 3e-12, 0.0, std::size_t{1}},
+                                                 {WearLaw::archard, 5e-12, 0.0, {}, {}, 0.02}};
+  const LawWeights weights = weights_of(mechanisms, charge.classes);
   const auto work = weights.per_energy.row(index_of(Measure::sliding_work));
   EXPECT_DOUBLE_EQ(work[0], 1e-12);
   EXPECT_DOUBLE_EQ(work[1], 3e-12);
@@ -172,12 +171,11 @@ TEST(WearLaw, IsLinearInItsCoefficients) {
   const WearMechanism balls{WearLaw::normal_dissipation, 1e-12, 0.0, std::size_t{0}};
   const WearMechanism ore{WearLaw::normal_dissipation, 4e-12, 0.0, std::size_t{1}};
   const WearMechanism rust{WearLaw::corrosion, 0.0, 1e-11};
-  Case mill = example_case();
-  mill.wear.mechanisms = {balls, ore, rust};
-  LawWeights whole = weights_of(mill);
+  const std::vector<WearMechanism> mechanisms = {balls, ore, rust};
+  LawWeights whole = weights_of(mechanisms, charge.classes);
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(3);
-  for (const auto& mechanism : mill.wear.mechanisms) {
-    sum += depth_rate(weights_of(mechanism, charge), load);
+  for (const auto& mechanism : mechanisms) {
+    sum += depth_rate(weights_of(mechanism, charge.classes), load);
   }
   const Eigen::VectorXd once = depth_rate(whole, load);
   EXPECT_TRUE(once.isApprox(sum, 1e-14));

@@ -14,8 +14,7 @@ namespace millwear::wear {
 namespace {
 
 /// k = 1e-12 1/Pa for both classes.
-const LawWeights archard =
-    weights_of({WearLaw::archard, 1e-12}, {{{0, 0.03, 10}, {0, 0.02, 10}}, {}, 0.4, 0.0});
+const LawWeights archard = weights_of({WearLaw::archard, 1e-12}, {{0, 0.03, 10}, {0, 0.02, 10}});
 
 /// Places up to 1.5 mm off the profile, all around the mill.
 WallContacts random_contacts(const LinerProfile& profile, double time, double mill_angle) {

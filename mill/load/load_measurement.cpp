@@ -1,6 +1,10 @@
-#include "wear/record/load_measurement.h"
+#include "mill/load/load_measurement.h"
 
-namespace millwear::wear {
+#include <utility>
+
+#include "mill/case/case.h"
+
+namespace millwear {
 
 LoadMeasurement load_measurement(const Case& mill, double duration, double sample_interval,
                                  std::size_t triangles) {
@@ -18,4 +22,4 @@ LoadMeasurement load_measurement(const Case& mill, double duration, double sampl
           .excess_speed = mill.wear.excess_speed};
 }
 
-}  // namespace millwear::wear
+}  // namespace millwear

@@ -72,8 +72,15 @@ std::string recording_help() {
   return app.help();
 }
 
-long samples_of(const RecordingPlan& plan) {
-  return plan.last_step / plan.every_steps - plan.first_step / plan.every_steps;
+bool is_sampled(const RecordingPlan& plan, long step) {
+  return step > plan.first_step && step <= plan.last_step &&
+         ((step - plan.first_step) % plan.every_steps == 0 || step == plan.last_step);
+}
+
+long samples_between(const RecordingPlan& plan, long from, long to) {
+  const long begin = from - plan.first_step;
+  const long end = to - plan.first_step;
+  return end / plan.every_steps - begin / plan.every_steps + (end % plan.every_steps != 0 ? 1 : 0);
 }
 
 RecordingPlan recording_plan(const std::vector<std::string>& arguments) {
@@ -84,9 +91,6 @@ RecordingPlan recording_plan(const std::vector<std::string>& arguments) {
   parse_options(app, arguments, "--help");
   if (plan.last_step <= plan.first_step)
     refuse(fmt::format("--until {} has to lie after --after {}", plan.last_step, plan.first_step));
-  if (samples_of(plan) == 0)
-    refuse(fmt::format("--every {} gives no sample from --after {} to --until {}", plan.every_steps,
-                       plan.first_step, plan.last_step));
   if (plan.pairs_after &&
       (*plan.pairs_after < plan.first_step || *plan.pairs_after >= plan.last_step))
     refuse(fmt::format("--pairs-after {} has to lie from --after {} on and before --until {}",

@@ -22,7 +22,7 @@ struct VerbText {
   const char* examples;
 };
 
-constexpr std::array<VerbText, 11> verbs = {{
+constexpr std::array<VerbText, 12> verbs = {{
     {Verb::check, "check",
      "Check a case file and print what would be simulated: counts, filling, time step, cost",
      "  millwear check cases/pilot_mill/case.toml\n"
@@ -66,6 +66,14 @@ constexpr std::array<VerbText, 11> verbs = {{
      "trial on the real charge",
      "  millwear tune my_mill.toml                  # takes the mixed charge in runs/NAME, if any\n"
      "  millwear tune my_mill.toml --out runs/try --ranks 2 --json"},
+    {Verb::postprocess, "postprocess",
+     "Turn the dumps of a LIGGGHTS run of your own into the load on the liner, the worn profile "
+     "and "
+     "the next mesh",
+     "  millwear postprocess my_mill.toml --contacts contacts.dump --particles particles.dump \\\n"
+     "    --timestep 2e-5 --out worn\n"
+     "  millwear postprocess my_mill.toml --contacts c.dump --particles p.dump --timestep 2e-5 \\\n"
+     "    --profile worn.csv --mesh liner.stl --after 200000 --hours 500 --out worn_2"},
 }};
 
 void add_common_options(CLI::App& verb, Command& command) {
@@ -74,6 +82,8 @@ void add_common_options(CLI::App& verb, Command& command) {
     verb.add_option("--out", command.out,
                     "Folder of a campaign whose mixed charge is taken if it has one; by default "
                     "runs/NAME");
+  else if (verb.get_name() == "postprocess")
+    verb.add_option("--out", command.out, "New folder of the results; by default postprocess/NAME");
   else if (verb.get_name() != "import")
     verb.add_option("--out", command.out, "Folder of the results; by default runs/NAME");
   verb.add_flag_callback(
@@ -129,6 +139,51 @@ void add_compare_options(CLI::App& verb, Command& command) {
   verb.add_option("--plot", command.plot, "With --calibrate-until: draw it (PNG) with gnuplot");
 }
 
+void add_postprocess_options(CLI::App& verb, Command& command) {
+  PostprocessOptions& options = command.postprocess;
+  HandRun& run = options.run;
+  verb.add_option("--contacts", run.contacts,
+                  "Dump of the wall contacts (`dump local` of a `compute wall/gran/local`)")
+      ->required();
+  verb.add_option(
+          "--particles", run.particles,
+          "Dump of the particles (`dump custom`: id type radius x y z vx vy vz omegax omegay "
+          "omegaz), of the same steps")
+      ->required();
+  verb.add_option("--timestep", run.time_step, "The deck's `timestep`, in seconds")
+      ->required()
+      ->check(CLI::PositiveNumber);
+  verb.add_option("--contact-keywords", run.contact_keywords,
+                  "Keywords of the deck's compute wall/gran/local, in quotes; by default \"" +
+                      run.contact_keywords + "\"");
+  verb.add_option("--profile", command.profile,
+                  "CSV of the profile (xi_m,eta_m) that the deck's mesh follows; by default the "
+                  "case's new one");
+  verb.add_option("--mesh", run.mesh,
+                  "STL that the deck reads; by default the one that `millwear mesh` writes");
+  verb.add_option("--after", run.after,
+                  "The measurement begins with the first snapshot from this step on")
+      ->check(CLI::NonNegativeNumber);
+  verb.add_option("--until", run.until, "... and ends with the last snapshot up to this step")
+      ->check(CLI::PositiveNumber);
+  verb.add_option(
+          "--angle-deg", options.angle_deg,
+          "Angle of the liner at --angle-step, along the rotation; 0 where a lifter's middle "
+          "stands at six o'clock, as in the mesh of `millwear mesh`")
+      ->check(CLI::Range(-360.0, 360.0));
+  verb.add_option("--angle-step", run.angle_step,
+                  "Step with which the liner begins to turn; by default 0")
+      ->check(CLI::NonNegativeNumber);
+  verb.add_option("--turns-about", run.turns_about,
+                  "Axis of the deck that the mill turns about, by the right-hand rule: +y by "
+                  "default, or +x, -x, -y, +z, -z");
+  verb.add_option("--gravity", run.gravity, "Axis along which gravity acts: -z by default");
+  verb.add_option("--hours", options.hours,
+                  "Wear the liner for so many hours of milling at most; by default until the load "
+                  "is spent or a limit is met")
+      ->check(CLI::Range(1e-6, most_hours));
+}
+
 }  // namespace
 
 ParsedCommandLine parse_command_line(int argc, const char* const* argv) {
@@ -168,6 +223,7 @@ ParsedCommandLine parse_command_line(int argc, const char* const* argv) {
     if (text.verb == Verb::mesh || text.verb == Verb::deck)
       verb->add_option("--profile", command.profile,
                        "CSV of a worn profile (xi_m,eta_m) in place of the new one");
+    if (text.verb == Verb::postprocess) add_postprocess_options(*verb, command);
     if (text.verb == Verb::wear)
       verb->add_option("--csv", command.csv, "Write the depth rate by cycle, mechanism and bin");
     if (text.verb == Verb::import) add_import_options(*verb, command.import);

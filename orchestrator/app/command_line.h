@@ -4,13 +4,27 @@
 #include <string>
 #include <vector>
 
+#include "orchestrator/app/postprocess_verb.h"
 #include "orchestrator/dem_run/progress.h"
 #include "orchestrator/gauge/import_options.h"
 #include "orchestrator/results/calibrated_course.h"
 
 namespace millwear::orchestrator {
 
-enum class Verb { check, mesh, deck, run, status, report, wear, import, compare, calibrate, tune };
+enum class Verb {
+  check,
+  mesh,
+  deck,
+  run,
+  status,
+  report,
+  wear,
+  import,
+  compare,
+  calibrate,
+  tune,
+  postprocess
+};
 
 enum class OutputForm { text, json };
 
@@ -34,6 +48,7 @@ struct Command {
       calibrate_until{};              ///< compare: instead of the case's [h]; 0 for not at all
   std::optional<GaugeOn> gauge_on{};  ///< compare, calibrated
   std::optional<std::filesystem::path> plot{};  ///< compare, calibrated: file of the picture
+  PostprocessOptions postprocess{};
 };
 
 /// The command, or the exit code with which the program ends at once (help, version, bad usage).

@@ -55,6 +55,8 @@ void carry_out(const Command& command) {
       return calibrate_verb(command);
     case Verb::tune:
       return tune_verb(command);
+    case Verb::postprocess:
+      return postprocess_verb(command);
   }
 }
 

@@ -16,5 +16,6 @@ void import_verb(const Command& command);
 void compare_verb(const Command& command);
 void calibrate_verb(const Command& command);
 void tune_verb(const Command& command);
+void postprocess_verb(const Command& command);
 
 }  // namespace millwear::orchestrator

@@ -125,7 +125,8 @@ ChosenColumns contacts_in(const std::vector<NumberedColumn>& wanted, std::string
     if (found == names.end())
       return no_columns(
           fmt::format("there is no column {}, {} of a compute wall/gran/local with \"{}\"; dump it "
-                      "too, or name the compute's keywords",
+                      "too, or name the keywords of the deck's compute with "
+                      "--contact-keywords",
                       name, column.meaning, keywords));
     chosen.columns.push_back(static_cast<std::size_t>(found - names.begin()));
   }

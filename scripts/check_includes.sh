@@ -38,6 +38,7 @@ orchestrator/dem_run: mill liggghts_inputs wear orchestrator/process orchestrato
 orchestrator/stages: mill wear orchestrator/campaign orchestrator/dem_run
 orchestrator/results: mill wear orchestrator/campaign orchestrator/dem_run
 orchestrator/report: mill/base orchestrator/process orchestrator/results
+orchestrator/postprocess: mill meshgen liggghts_inputs/outputs wear orchestrator/process orchestrator/campaign orchestrator/dem_run
 orchestrator/gauge: mill meshgen wear orchestrator/results
 orchestrator/calibration: mill wear orchestrator/campaign orchestrator/dem_run orchestrator/results orchestrator/gauge
 orchestrator/app: mill meshgen liggghts_inputs wear orchestrator

@@ -57,6 +57,7 @@ std::string dumps(const Case& mill, const StretchSteps& steps) {
   if (mill.dem.contact_path == ContactPath::recorder)
     return "# millwear-recorder sees the wall contacts of the steps to come from inside.\n";
   return filled_template(dumps_template, {{"sample_steps", fmt::format("{}", steps.sample_steps)},
+                                          {"last_step", fmt::format("{}", steps.total())},
                                           {"contacts_file", file_names::contacts},
                                           {"spins_file", file_names::spins}});
 }

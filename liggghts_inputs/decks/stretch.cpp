@@ -22,7 +22,7 @@ long pitches_to_go_on(long pitches, long blocks) { return pitches / std::gcd(pit
 }  // namespace
 
 double StretchSteps::measure_time() const { return time_step * static_cast<double>(measure_steps); }
-long StretchSteps::samples() const { return total() / sample_steps - settle_steps / sample_steps; }
+long StretchSteps::samples() const { return (measure_steps + sample_steps - 1) / sample_steps; }
 double StretchSteps::sample_interval() const {
   return time_step * static_cast<double>(sample_steps);
 }

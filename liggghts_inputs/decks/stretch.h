@@ -17,7 +17,7 @@ struct StretchSteps {
   double time_step;     ///< [s]
   long settle_steps;    ///< before anything is measured (the whole of a mixing stretch)
   long measure_steps;   ///< 0 for a mixing stretch
-  long sample_steps;    ///< between two samples of the wall contacts
+  long sample_steps;    ///< between two samples of the wall contacts, from the end of settling on
   long pair_steps = 0;  ///< at the end of `measure_steps`, to record collisions between particles
   /// A measurement that goes on until it knows enough does so by these, whole pitches and whole
   /// time blocks both; 0 for one that does not.
@@ -29,7 +29,8 @@ struct StretchSteps {
     return settle_steps + std::max(measure_steps, most_measure_steps);
   }
   [[nodiscard]] double measure_time() const;     ///< [s]
-  [[nodiscard]] long samples() const;            ///< steps in (settle, total] that are sampled
+  /// Steps in (settle, total] that are sampled: every `sample_steps` after settling, and the last.
+  [[nodiscard]] long samples() const;
   [[nodiscard]] double sample_interval() const;  ///< [s]
 };
 

@@ -12,10 +12,6 @@
 namespace millwear::liggghts {
 namespace {
 
-Eigen::Vector3d vector_at(std::span<const double> row, std::size_t column) {
-  return {row[column], row[column + 1], row[column + 2]};
-}
-
 /// The dumps' tangential force is from before friction cut it.
 Eigen::Vector3d cut_to(double most, const Eigen::Vector3d& force) {
   const double norm = force.norm();
@@ -24,15 +20,28 @@ Eigen::Vector3d cut_to(double most, const Eigen::Vector3d& force) {
 
 }  // namespace
 
+DumpFrame dump_frame(const StretchSteps& steps) {
+  return {.time_step = steps.time_step,
+          .first_step = steps.settle_steps,
+          .last_step = steps.total(),
+          .samples = steps.samples()};
+}
+
 ContactJoin::ContactJoin(const Case& mill, const StretchSteps& steps, Take take, Take begin)
+    : ContactJoin(mill, totals(mill).particles, dump_frame(steps), std::move(take),
+                  std::move(begin)) {}
+
+ContactJoin::ContactJoin(const Case& mill, std::size_t particles, const DumpFrame& frame, Take take,
+                         Take begin)
     : classes_(mill.charge.classes),
       friction_(liner_friction(mill)),
       slice_length_(mill.slice_length),
       mill_speed_(mill.speed),
-      steps_(steps),
+      frame_(frame),
       take_(std::move(take)),
       begin_(std::move(begin)),
-      row_of_particle_(totals(mill).particles + 1, 0) {}
+      row_of_particle_(particles + 1, 0),
+      last_step_(frame.first_step) {}
 
 void ContactJoin::take_contacts(const Snapshot& contacts) {
   waiting_contacts_.emplace(contacts.step, contacts);
@@ -50,9 +59,16 @@ void ContactJoin::finish() const {
         fmt::format("the dumps of wall contacts and spins do not hold the same steps (step {})",
                     waiting_contacts_.empty() ? waiting_spins_.begin()->first
                                               : waiting_contacts_.begin()->first));
-  if (samples_ != steps_.samples())
-    throw ResultRejected(fmt::format("the dumps hold {} samples of the wall contacts and not {}",
-                                     samples_, steps_.samples()));
+  if (!begun_)
+    throw ResultRejected(fmt::format(
+        "the dumps do not hold step {}, with which the measurement begins; without it collisions "
+        "that go on would count as new",
+        frame_.first_step));
+  if (samples_ != frame_.samples || last_step_ != frame_.last_step)
+    throw ResultRejected(
+        fmt::format("the dumps hold {} samples of the wall contacts, up to step {}, and not {}, up "
+                    "to step {}",
+                    samples_, last_step_, frame_.samples, frame_.last_step));
 }
 
 void ContactJoin::join_ready() {
@@ -67,13 +83,15 @@ void ContactJoin::join_ready() {
 }
 
 void ContactJoin::join(const Snapshot& contacts, const Snapshot& spins) {
-  last_step_ = contacts.step;
-  // A dump writes a sample at its very start too where that step is a multiple of the interval.
-  const bool at_start = contacts.step == steps_.settle_steps;
+  const bool at_start = contacts.step == frame_.first_step;
+  const long since = std::exchange(last_step_, contacts.step);
+  begun_ = begun_ || at_start;
   if (at_start && !begin_) return;
   index_spins(spins);
-  joined_.time = steps_.time_step * static_cast<double>(contacts.step - steps_.settle_steps);
-  joined_.mill_angle = mill_speed_ * steps_.time_step * static_cast<double>(contacts.step);
+  joined_.time = frame_.time_step * static_cast<double>(contacts.step - frame_.first_step);
+  joined_.mill_angle = frame_.angle + mill_speed_ * frame_.time_step *
+                                          static_cast<double>(contacts.step - frame_.angle_step);
+  joined_.interval = frame_.time_step * static_cast<double>(contacts.step - since);
   joined_.contacts.clear();
   for (std::size_t i = 0; i < contacts.rows(); ++i)
     joined_.contacts.push_back(contact_from(contacts.row(i), contacts.step));
@@ -115,11 +133,29 @@ const ContactJoin::ParticleState& ContactJoin::state_of(double id, long step) co
   return states_[row - 1];
 }
 
+Eigen::Vector3d ContactJoin::vector_at(std::span<const double> row, std::size_t column) const {
+  return frame_.to_mill * Eigen::Vector3d(row[column], row[column + 1], row[column + 2]);
+}
+
+/// A contact lies on its sphere, less the overlap; else the dumps are of two runs.
+void ContactJoin::check_arm(const Eigen::Vector3d& arm, double id, double radius, long step) const {
+  constexpr double shortest = 0.5;
+  constexpr double longest = 1.02;
+  const double length = arm.norm();
+  if (length > shortest * radius && length < longest * radius) return;
+  throw ResultRejected(
+      fmt::format("at step {} the wall contact of particle {} lies {:.4g} m from its centre, and "
+                  "its radius is {:.4g} m; the dumps of wall contacts and particles are not of "
+                  "one run, or have too few digits",
+                  step, id, length, radius));
+}
+
 WallContact ContactJoin::contact_from(std::span<const double> row, long step) const {
   const auto& particle = state_of(row[4], step);
   const Eigen::Vector3d point = vector_at(row, 0);
   Eigen::Vector3d arm = point - particle.centre;
   arm.y() -= slice_length_ * std::round(arm.y() / slice_length_);
+  check_arm(arm, row[4], particle.radius, step);
   const Eigen::Vector3d wall_velocity(mill_speed_ * point.z(), 0.0, -mill_speed_ * point.x());
   const Eigen::Vector3d velocity = particle.velocity - wall_velocity;
   const ContactMotion motion = contact_motion(arm, particle.radius, velocity, particle.spin);

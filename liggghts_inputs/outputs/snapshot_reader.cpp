@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstring>
@@ -23,9 +24,12 @@ Number whole_number(std::string_view line, bool& good) {
 }  // namespace
 
 SnapshotReader::SnapshotReader(std::string name, std::size_t columns, Take take)
-    : name_(std::move(name)), take_(std::move(take)) {
+    : name_(std::move(name)), row_columns_(columns), take_(std::move(take)) {
   snapshot_.columns = columns;
 }
+
+SnapshotReader::SnapshotReader(std::string name, ChooseColumns choose, Take take)
+    : name_(std::move(name)), choose_(std::move(choose)), row_columns_(0), take_(std::move(take)) {}
 
 void SnapshotReader::feed(std::string_view piece) {
   while (!piece.empty()) {
@@ -62,9 +66,7 @@ void SnapshotReader::take_line(std::string_view line) {
     case Expect::step_header:
       return expect_header(line, "ITEM: TIMESTEP", Expect::step);
     case Expect::step:
-      snapshot_.step = whole_number<long>(line, good);
-      expect_ = Expect::count_header;
-      break;
+      return take_step(line);
     case Expect::count_header:
       return expect_header(line, "ITEM: NUMBER OF ", Expect::count);
     case Expect::count:
@@ -79,32 +81,67 @@ void SnapshotReader::take_line(std::string_view line) {
       return;
     case Expect::columns:
       expect_header(line, "ITEM: ", Expect::rows);
+      if (choose_ && line != columns_header_) take_columns(line);
       snapshot_.values.clear();
       snapshot_.values.reserve(rows_left_ * snapshot_.columns);
       if (rows_left_ == 0) complete();
       return;
   }
-  if (!good) reject(fmt::format("a whole number was expected, not \"{}\"", line.substr(0, 80)));
+  if (!good) reject_no_whole_number(line);
+}
+
+void SnapshotReader::take_step(std::string_view line) {
+  bool good = true;
+  const long step = whole_number<long>(line, good);
+  if (!good) reject_no_whole_number(line);
+  if (snapshots_ > 0 && step <= snapshot_.step)
+    reject(fmt::format("step {} comes after step {}; the snapshots of one run lie in order", step,
+                       snapshot_.step));
+  snapshot_.step = step;
+  expect_ = Expect::count_header;
+}
+
+/// "ITEM: ENTRIES name name ...".
+void SnapshotReader::take_columns(std::string_view line) {
+  std::vector<std::string_view> words;
+  for (std::size_t at = line.find_first_not_of(' '); at < line.size();
+       at = line.find_first_not_of(' ', at)) {
+    const std::size_t end = std::min(line.find(' ', at), line.size());
+    words.push_back(line.substr(at, end - at));
+    at = end;
+  }
+  constexpr std::size_t before_names = 2;
+  const auto names = std::span(words).subspan(std::min(words.size(), before_names));
+  ChosenColumns chosen = choose_(names);
+  if (!chosen.problem.empty()) reject(chosen.problem);
+  columns_header_ = line;
+  chosen_ = std::move(chosen.columns);
+  row_columns_ = names.size();
+  snapshot_.columns = chosen_.size();
 }
 
 void SnapshotReader::take_row(std::string_view line) {
   const char* at = line.data();
   const char* const end = at + line.size();
-  for (std::size_t column = 0; column < snapshot_.columns; ++column) {
+  std::vector<double>& values = choose_ ? row_ : snapshot_.values;
+  row_.clear();
+  for (std::size_t column = 0; column < row_columns_; ++column) {
     while (at != end && *at == ' ') ++at;
     double value = 0.0;
     const auto [next, problem] = std::from_chars(at, end, value);
     const bool ends_here = next == end || *next == ' ';
     if (problem != std::errc{} || !ends_here || !std::isfinite(value))
       reject(fmt::format("column {} of {} is not a finite number in \"{}\"", column + 1,
-                         snapshot_.columns, line.substr(0, 120)));
-    snapshot_.values.push_back(value);
+                         row_columns_, line.substr(0, 120)));
+    values.push_back(value);
     at = next;
   }
   while (at != end && *at == ' ') ++at;
   if (at != end)
-    reject(fmt::format("a row has more than {} columns: \"{}\"", snapshot_.columns,
-                       line.substr(0, 120)));
+    reject(
+        fmt::format("a row has more than {} columns: \"{}\"", row_columns_, line.substr(0, 120)));
+  if (!choose_) return;
+  for (const std::size_t column : chosen_) snapshot_.values.push_back(row_[column]);
 }
 
 void SnapshotReader::expect_header(std::string_view line, std::string_view header, Expect next) {
@@ -116,6 +153,10 @@ void SnapshotReader::expect_header(std::string_view line, std::string_view heade
 void SnapshotReader::complete() {
   expect_ = Expect::step_header;
   take_(snapshot_);
+}
+
+void SnapshotReader::reject_no_whole_number(std::string_view line) const {
+  reject(fmt::format("a whole number was expected, not \"{}\"", line.substr(0, 80)));
 }
 
 void SnapshotReader::reject(const std::string& why) const {

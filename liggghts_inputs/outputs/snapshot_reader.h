@@ -19,6 +19,15 @@ struct Snapshot {
   }
 };
 
+/// Which columns of a dump are wanted, in the order in which they are wanted.
+struct ChosenColumns {
+  std::vector<std::size_t> columns;  ///< counted from 0
+  std::string problem{};             ///< why they cannot be chosen; empty if they can
+};
+
+/// Chooses columns by the names in a dump's header.
+using ChooseColumns = std::function<ChosenColumns(std::span<const std::string_view> names)>;
+
 /// Reads a text dump as it comes, in pieces of any size; holds one snapshot and one unfinished
 /// line, however long the run.
 class SnapshotReader {
@@ -28,9 +37,12 @@ class SnapshotReader {
   /// `name` stands in messages; `columns` is what every row must have.
   SnapshotReader(std::string name, std::size_t columns, Take take);
 
+  /// Reads the columns that `choose` finds in the header; a row has as many as the header names.
+  SnapshotReader(std::string name, ChooseColumns choose, Take take);
+
   /// Takes the next piece and hands every snapshot that is now complete to `take`.
-  /// Throws ResultRejected, with name and line, on a row that is short, long or not finite, and on
-  /// a header that is not LIGGGHTS's.
+  /// Throws ResultRejected, with name and line, on a row that is short, long or not finite, on a
+  /// header that is not LIGGGHTS's or lacks a column, and on a step that is not after the last one.
   void feed(std::string_view piece);
 
   /// The end of the dump. Throws ResultRejected if it ends inside a snapshot.
@@ -41,11 +53,19 @@ class SnapshotReader {
 
   void take_line(std::string_view line);
   void take_row(std::string_view line);
+  void take_step(std::string_view line);
+  void take_columns(std::string_view line);
   void expect_header(std::string_view line, std::string_view header, Expect next);
   void complete();
+  [[noreturn]] void reject_no_whole_number(std::string_view line) const;
   [[noreturn]] void reject(const std::string& why) const;
 
   std::string name_;
+  ChooseColumns choose_;  ///< empty: every column is wanted
+  std::string columns_header_;
+  std::vector<std::size_t> chosen_;
+  std::vector<double> row_;  ///< all columns of one row, where some are chosen
+  std::size_t row_columns_;
   Take take_;
   std::string unfinished_;
   Snapshot snapshot_;

@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace millwear {
@@ -39,6 +40,9 @@ struct WallContacts {
   double time;        ///< since the measurement began [s]
   double mill_angle;  ///< since the stretch began [rad]
   std::vector<WallContact> contacts;
+  /// Simulated time that the sample stands for, back from `time` [s]; by default the interval of
+  /// the measurement. The last sample of a measurement may stand for less.
+  std::optional<double> interval{};
 };
 
 }  // namespace millwear

@@ -16,8 +16,15 @@ GoingOnOptions apart(const std::optional<GoingOn>& going_on) {
 
 }  // namespace
 
-long samples_of(const RecordingPlan& plan) {
-  return plan.last_step / plan.every_steps - plan.first_step / plan.every_steps;
+bool is_sampled(const RecordingPlan& plan, long step) {
+  return step > plan.first_step && step <= plan.last_step &&
+         ((step - plan.first_step) % plan.every_steps == 0 || step == plan.last_step);
+}
+
+long samples_between(const RecordingPlan& plan, long from, long to) {
+  const long begin = from - plan.first_step;
+  const long end = to - plan.first_step;
+  return end / plan.every_steps - begin / plan.every_steps + (end % plan.every_steps != 0 ? 1 : 0);
 }
 
 std::vector<std::string> to_arguments(RecordingPlan plan) {

@@ -44,8 +44,13 @@ struct RecordingPlan {
   bool operator==(const RecordingPlan&) const = default;
 };
 
-/// Steps after the first up to the last that are multiples of `every_steps`.
-[[nodiscard]] long samples_of(const RecordingPlan& plan);
+/// Whether a step is sampled: the last one, and those that lie a multiple of `every_steps` after
+/// the first. So every sample stands for the steps since the one before, and all of them for all
+/// steps.
+[[nodiscard]] bool is_sampled(const RecordingPlan& plan, long step);
+
+/// Samples after step `from` up to step `to`, where a piece of the measurement ends.
+[[nodiscard]] long samples_between(const RecordingPlan& plan, long from, long to);
 
 /// The options of a measurement that goes on: all of them or none.
 struct GoingOnOptions {

@@ -9,6 +9,7 @@
 #include "orchestrator/app/deck_verb.h"
 #include "orchestrator/app/import_verb.h"
 #include "orchestrator/app/mesh_verb.h"
+#include "orchestrator/app/postprocess_verb.h"
 #include "orchestrator/app/report_verb.h"
 #include "orchestrator/app/run_verb.h"
 #include "orchestrator/app/status_verb.h"
@@ -74,6 +75,14 @@ constexpr std::array table{
          "any\n"
          "  millwear tune my_mill.toml --out runs/try --ranks 2 --json",
          prepare<TuneOptions, tune_verb>},
+    Verb{"postprocess", "Turn the dumps of your own LIGGGHTS run into load, worn profile and mesh",
+         "  millwear postprocess my_mill.toml --contacts contacts.dump --particles particles.dump "
+         "\\\n"
+         "    --timestep 2e-5 --out worn\n"
+         "  millwear postprocess my_mill.toml --contacts c.dump --particles p.dump --timestep 2e-5 "
+         "\\\n"
+         "    --profile worn.csv --mesh liner.stl --after 200000 --hours 500 --out worn_2",
+         prepare<PostprocessOptions, postprocess_verb>},
 };
 
 }  // namespace

@@ -8,6 +8,9 @@
 
 namespace millwear::orchestrator {
 
+/// Of the wall contacts, by number or normal impulse, so many at most may lie off the liner.
+inline constexpr double largest_rejected_share = 1e-3;
+
 /// What a measuring stretch tells besides the load: power from the torques that LIGGGHTS printed,
 /// toe, shoulder and motion of the charge, and how well the rate of loss is known.
 /// Throws DiskError where `torque_file` cannot be read, and ResultRejected where it ends early.

@@ -27,7 +27,6 @@ namespace {
 namespace fs = std::filesystem;
 namespace names = liggghts::file_names;
 
-constexpr double largest_rejected_share = 1e-3;
 constexpr std::uintmax_t restart_bytes_per_particle = 100;
 constexpr std::uintmax_t spare_disk_bytes = 64 << 20;
 constexpr std::uintmax_t dump_bytes_per_particle = 200;

@@ -45,9 +45,6 @@ RecordingPlan recording_plan(const std::vector<std::string>& arguments) {
   parse_options(app, arguments, "--help");
   if (plan.last_step <= plan.first_step)
     refuse(fmt::format("--until {} has to lie after --after {}", plan.last_step, plan.first_step));
-  if (samples_of(plan) == 0)
-    refuse(fmt::format("--every {} gives no sample from --after {} to --until {}", plan.every_steps,
-                       plan.first_step, plan.last_step));
   if (plan.pairs_after &&
       (*plan.pairs_after < plan.first_step || *plan.pairs_after >= plan.last_step))
     refuse(fmt::format("--pairs-after {} has to lie from --after {} on and before --until {}",

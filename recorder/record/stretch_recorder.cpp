@@ -93,13 +93,14 @@ StretchRecorder::StretchRecorder(LAMMPS& liggghts, const Case& mill, const Recor
       module_(
           liggghts, mesh_,
           [this](long step) {
-            return step >= plan_.first_step && step <= plan_.last_step &&
-                   (step % plan_.every_steps == 0 || step == plan_.first_step ||
-                    (pairs_ && step > *plan_.pairs_after));
+            return step == plan_.first_step || is_sampled(plan_, step) ||
+                   (pairs_ && step > *plan_.pairs_after && step <= plan_.last_step);
           },
           [this](long step, const std::vector<WallTouch>& touches) { take_step(step, touches); },
           [this](long step, const WallTouch& touch) { take_standing(step, touch); }),
       waiting_(most_waiting),
+      wanted_samples_(samples_between(plan, plan.first_step, plan.last_step)),
+      sampled_until_(plan.first_step),
       class_of_number_(totals(mill).particles + 1, 0) {
   check_particles(liggghts, mill);
   if (plan.events) spool_.emplace(*plan.events, liggghts.comm->me);
@@ -196,11 +197,13 @@ void StretchRecorder::take_step(long step, const std::vector<WallTouch>& touches
     throw InputError(fmt::format("--pairs-after {}: no `run` of the deck begins at that step",
                                  *plan_.pairs_after));
   if (pairs_ && step > *plan_.pairs_after) take_pairs();
-  if (step != plan_.first_step && step % plan_.every_steps != 0) return;
+  if (step != plan_.first_step && !is_sampled(plan_, step)) return;
   const double dt = liggghts_.update->dt;
   WallContacts& sample = waiting_[waiting_count_];
   sample.time = dt * static_cast<double>(step - plan_.first_step);
   sample.mill_angle = mill_.speed * dt * static_cast<double>(step);
+  sample.interval = dt * static_cast<double>(step - sampled_until_);
+  sampled_until_ = step;
   sample.contacts.clear();
   const auto& company = company_.of(liggghts_, touches);
   for (std::size_t i = 0; i < touches.size(); ++i)
@@ -211,7 +214,9 @@ void StretchRecorder::take_step(long step, const std::vector<WallTouch>& touches
     begun_ = true;
     return load_.begin_with(sample);
   }
-  if (step % census_steps_ == 0) load_.add_census(sample.time, census_of(liggghts_, turning_));
+  // Both are multiples of the samples' interval, the first step need not be.
+  if ((step - plan_.first_step % plan_.every_steps) % census_steps_ == 0)
+    load_.add_census(sample.time, census_of(liggghts_, turning_));
   ++samples_;
   if (++waiting_count_ == waiting_.size()) sum_waiting();
 }
@@ -276,18 +281,18 @@ long StretchRecorder::steps_to_go_on() {
   goal_ = next.goal;
   ended_ = next.steps == 0;
   if (ended_) return 0;
+  wanted_samples_ += samples_between(plan_, plan_.last_step, plan_.last_step + next.steps);
   plan_.last_step += next.steps;
   load_.go_on_until(liggghts_.update->dt * static_cast<double>(plan_.last_step - plan_.first_step));
   return next.steps;
 }
 
 void StretchRecorder::publish() {
-  const long wanted = samples_of(plan_);
-  if (samples_ != wanted)
+  if (samples_ != wanted_samples_)
     throw ResultRejected(
         fmt::format("the deck ended at step {} and gave {} samples of the wall contacts, not {}; "
                     "its runs and --after, --until, --every do not fit",
-                    liggghts_.update->ntimestep, samples_, wanted));
+                    liggghts_.update->ntimestep, samples_, wanted_samples_));
   if (plan_.going_on && !ended_)
     throw InputError(
         fmt::format("--until {}: no `run` of the deck ends at that step, where it is "

@@ -79,6 +79,8 @@ class StretchRecorder {
   bool ended_ = false;  ///< it was decided not to go on
   bool seen_turning_ = false;
   long samples_ = 0;
+  long wanted_samples_;  ///< of the measurement as far as it is known to go
+  long sampled_until_;   ///< the latest sample's step; at first that with which it all begins
   long latest_step_ = 0;
   mutable std::vector<std::uint16_t>
       class_of_number_;  ///< by particle number, + 1; 0: not yet known

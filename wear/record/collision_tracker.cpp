@@ -77,7 +77,9 @@ void CollisionTracker::open(const OpenCollision& collision) {
 
 const std::vector<bool>& CollisionTracker::add(double time, SampleKind kind,
                                                std::span<const WallContact> contacts,
-                                               std::span<const LinerPlace> places) {
+                                               std::span<const LinerPlace> places,
+                                               std::optional<double> interval) {
+  const double dt = interval.value_or(sample_interval_);
   ++sample_;
   begins_.assign(contacts.size(), false);
   arrives_.assign(contacts.size(), false);
@@ -102,13 +104,13 @@ const std::vector<bool>& CollisionTracker::add(double time, SampleKind kind,
     open(begun(contacts[i], places[i], time, kind));
   }
   for (std::size_t i = 0; i < contacts.size(); ++i)
-    add_to(open_[collision_of_[i]], contacts[i], time, kind);
-  end_sample();
+    add_to(open_[collision_of_[i]], contacts[i], time, kind, dt);
+  end_sample(dt);
   return begins_;
 }
 
 void CollisionTracker::add_to(OpenCollision& collision, const WallContact& contact, double time,
-                              SampleKind kind) {
+                              SampleKind kind, double interval) {
   if (collision.sample != sample_) {
     collision.sample = sample_;
     collision.latest_time = time;
@@ -119,23 +121,22 @@ void CollisionTracker::add_to(OpenCollision& collision, const WallContact& conta
   Eigen::Map<Eigen::Vector3d>(collision.into_wall) += contact.into_wall;
   if (kind == SampleKind::before) return;
   Collision& sum = collision.so_far;
-  const double dt = sample_interval_;
   collision.force_now += contact.normal_force;
   if (std::abs(contact.slip_speed) > std::abs(collision.slip_now))
     collision.slip_now = contact.slip_speed;
-  sum.normal_dissipation += contact.normal_force * contact.normal_speed * dt;
-  sum.sliding_work += std::max(contact.normal_force, 0.0) * contact.slip_speed * dt;
-  sum.shear_dissipation += contact.shear_power * dt;
+  sum.normal_dissipation += contact.normal_force * contact.normal_speed * interval;
+  sum.sliding_work += std::max(contact.normal_force, 0.0) * contact.slip_speed * interval;
+  sum.shear_dissipation += contact.shear_power * interval;
 }
 
-void CollisionTracker::end_sample() {
+void CollisionTracker::end_sample(double interval) {
   const std::size_t before = open_.size();
   std::size_t kept = 0;
   for (std::size_t i = 0; i < before; ++i) {
     if (open_[i].sample == sample_) {
       Collision& sum = open_[i].so_far;
       sum.largest_normal_force = std::max(sum.largest_normal_force, open_[i].force_now);
-      sum.slip_distance += open_[i].slip_now * sample_interval_;
+      sum.slip_distance += open_[i].slip_now * interval;
       if (kept != i) open_[kept] = open_[i];
       ++kept;
       continue;

@@ -2,6 +2,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -49,9 +50,11 @@ class CollisionTracker {
   enum class SampleKind { before, measured };
 
   /// Takes all contacts of one sample, with a place for each. Returns for each whether a collision
-  /// begins with it. Throws ResultRejected for a particle that the charge does not have.
+  /// begins with it. `interval` [s] is the time that the sample stands for, where that is not the
+  /// tracker's own. Throws ResultRejected for a particle that the charge does not have.
   const std::vector<bool>& add(double time, SampleKind kind, std::span<const WallContact> contacts,
-                               std::span<const LinerPlace> places);
+                               std::span<const LinerPlace> places,
+                               std::optional<double> interval = {});
 
   /// For each contact of the latest sample whether a collision begins with it and the particle did
   /// not touch the liner in the sample before.
@@ -70,8 +73,9 @@ class CollisionTracker {
  private:
   [[nodiscard]] std::size_t nearest_open(const WallContact& contact) const;
   void open(const OpenCollision& collision);
-  void add_to(OpenCollision& collision, const WallContact& contact, double time, SampleKind kind);
-  void end_sample();
+  void add_to(OpenCollision& collision, const WallContact& contact, double time, SampleKind kind,
+              double interval);
+  void end_sample(double interval);
   void relink();
 
   double sample_interval_;

@@ -94,7 +94,7 @@ LoadAccumulator::LoadAccumulator(const LinerProfile& profile, const LoadMeasurem
     record_.motion = no_charge_motion(measurement.block_count);
 }
 
-std::size_t LoadAccumulator::block_of(double time) const {
+std::size_t LoadAccumulator::block_of(double time, double interval) const {
   const double end = measurement_.duration + beyond_the_end * measurement_.sample_interval;
   if (!(time >= 0.0 && time <= end)) {
     throw ResultRejected(
@@ -102,7 +102,7 @@ std::size_t LoadAccumulator::block_of(double time) const {
                     "beginning to its end only",
                     time, measurement_.duration));
   }
-  const double middle = std::max(time - 0.5 * measurement_.sample_interval, 0.0);
+  const double middle = std::max(time - 0.5 * interval, 0.0);
   const auto block = static_cast<std::size_t>(middle / block_duration_ + block_rounding);
   return std::min(block, measurement_.block_count - 1);
 }
@@ -143,7 +143,7 @@ const std::vector<bool>& LoadAccumulator::follow(const WallContacts& sample,
     places_.push_back(place_of(contact, sample.mill_angle));
     liner_places_.push_back(liner_place(places_.back()));
   }
-  return tracker_.add(sample.time, kind, sample.contacts, liner_places_);
+  return tracker_.add(sample.time, kind, sample.contacts, liner_places_, sample.interval);
 }
 
 void LoadAccumulator::begin_with(const WallContacts& sample) {
@@ -151,12 +151,12 @@ void LoadAccumulator::begin_with(const WallContacts& sample) {
 }
 
 void LoadAccumulator::add(const WallContacts& sample) {
-  const std::size_t block = block_of(sample.time);
+  const double dt = sample.interval.value_or(measurement_.sample_interval);
+  const std::size_t block = block_of(sample.time, dt);
   if (block != block_) close_block();
   block_ = block;
   const auto& begun = follow(sample, CollisionTracker::SampleKind::measured);
   if (record_.motion) add_bare_hits(sample, block);
-  const double dt = measurement_.sample_interval;
   for (std::size_t i = 0; i < sample.contacts.size(); ++i) {
     const WallContact& contact = sample.contacts[i];
     const Place& place = places_[i];
@@ -185,7 +185,8 @@ void LoadAccumulator::add(const WallContacts& sample) {
 }
 
 void LoadAccumulator::add_census(double time, const Census& census) {
-  record_.motion->census.col(static_cast<Eigen::Index>(block_of(time))) += census.matrix();
+  record_.motion->census.col(
+      static_cast<Eigen::Index>(block_of(time, measurement_.sample_interval))) += census.matrix();
 }
 
 /// One hit a particle, also where it meets plate and face at once: the one at the greater speed.

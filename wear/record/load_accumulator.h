@@ -20,7 +20,8 @@ inline constexpr int cells_per_bin = 8;
 ///
 /// Every contact is turned back by the mill's angle, folded by the pitch, and added to the cell
 /// (an eighth of a bin) of the nearest place on the profile, to its particle class and to the time
-/// block in which the middle of the sample's interval (t - dt, t] lies:
+/// block in which the middle of the sample's interval (t - dt, t] lies (dt is the measurement's, or
+/// the sample's own where that differs):
 ///     samples += 1, normal_impulse += Fn dt, sliding_work += max(Fn, 0) v_slide dt,
 ///     path_work += max(Fn, 0) v_path dt, normal_dissipation += Fn v_n dt,
 ///     shear_dissipation, finnie += power dt,
@@ -73,7 +74,7 @@ class LoadAccumulator {
   };
   using Amounts = Eigen::Array<double, static_cast<int>(measure_count), 1>;
 
-  [[nodiscard]] std::size_t block_of(double time) const;
+  [[nodiscard]] std::size_t block_of(double time, double interval) const;
   [[nodiscard]] Place place_of(const WallContact& contact, double mill_angle) const;
   [[nodiscard]] LinerPlace liner_place(const Place& place) const;
   const std::vector<bool>& follow(const WallContacts& sample, CollisionTracker::SampleKind kind);

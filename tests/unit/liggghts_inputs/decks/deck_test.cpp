@@ -33,6 +33,19 @@ TEST(Deck, LeavesNoPlaceholderBehind) {
   }
 }
 
+// 4000 steps of settling, then 20,010 steps with a sample every 20: the last is 10 steps behind the
+// one before. LIGGGHTS asks the formula for the step that follows a sample.
+TEST(Deck, DumpsTheBeginningAndTheEndOfTheMeasurement) {
+  Case mill = example_case();
+  mill.dem.contact_path = ContactPath::dumps;
+  const auto deck = measuring_deck(mill, {4e-5, 4000, 20010, 20}, mill.liner, "x", 1);
+  EXPECT_THAT(deck, HasSubstr("\nvariable      steps_left equal 24010-step\n"));
+  EXPECT_THAT(deck,
+              HasSubstr("equal step+20-(v_steps_left>0)*(v_steps_left<20)*(20-v_steps_left)\n"));
+  EXPECT_THAT(deck, HasSubstr("dump_modify   contacts first yes every v_next_sample "));
+  EXPECT_THAT(deck, HasSubstr("dump_modify   spins first yes every v_next_sample "));
+}
+
 TEST(Deck, PrintsTheSentinelLast) {
   const Case mill = example_case();
   const std::string end = "print         \"millwear: stretch complete\"\n";

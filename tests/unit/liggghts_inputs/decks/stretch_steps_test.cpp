@@ -98,12 +98,14 @@ RC_GTEST_PROP(StretchSteps, GoOnUpToWhatWasAskedOrAPieceMore, ()) {
             asked + static_cast<double>(plan.steps_per_pitch + steps.go_on_steps));
 }
 
+// The dumps of a measuring deck: every `sample_steps` from the end of settling, and the last step.
 RC_GTEST_PROP(StretchSteps, CountTheSamplesThatADumpWrites, ()) {
   const StretchSteps steps{1e-5, *rc::gen::inRange(0L, 300L), *rc::gen::inRange(1L, 300L),
                            *rc::gen::inRange(1L, 40L)};
   long samples = 0;
   for (long step = steps.settle_steps + 1; step <= steps.total(); ++step)
-    samples += step % steps.sample_steps == 0 ? 1 : 0;
+    samples +=
+        (step - steps.settle_steps) % steps.sample_steps == 0 || step == steps.total() ? 1 : 0;
   RC_ASSERT(steps.samples() == samples);
 }
 

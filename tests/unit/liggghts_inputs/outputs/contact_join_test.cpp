@@ -12,6 +12,8 @@
 namespace millwear::liggghts {
 namespace {
 
+using ::testing::DoubleEq;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
@@ -212,13 +214,80 @@ TEST(ContactJoin, WantsEverySampleFromBothDumpsInAnyOrder) {
   EXPECT_EQ(join.last_step(), 200);
 }
 
-TEST(ContactJoin, WantsAsManySamplesAsTheStretchHas) {
-  ContactJoin join(mill_at(0.0), steps, [](const WallContacts&) {});
-  for (const long step : {120, 140, 160, 180}) {
+// Settling ends with step 30, then come 50 steps with a sample every 20: as the dumps hold them, at
+// 30 to begin with, at 50, 70 and, as the measurement ends, at 80, which stands for 10 steps.
+TEST(ContactJoin, EverySampleStandsForTheTimeSinceTheOneBefore) {
+  std::vector<double> times, intervals;
+  int beginnings = 0;
+  ContactJoin join(
+      mill_at(0.0), StretchSteps{1e-3, 30, 50, 20},
+      [&](const WallContacts& sample) {
+        times.push_back(sample.time);
+        intervals.push_back(sample.interval.value());
+      },
+      [&](const WallContacts&) { ++beginnings; });
+  for (const long step : {30, 50, 70, 80}) {
     join.take_contacts(contacts_of(step, {Touch{}}));
     join.take_spins(spins_of(step, {Touch{}}));
   }
-  EXPECT_THAT([&] { join.finish(); }, ThrowsMessage<ResultRejected>(HasSubstr("4 samples")));
+  join.finish();
+  EXPECT_EQ(beginnings, 1);
+  EXPECT_THAT(times, ElementsAre(DoubleEq(0.02), DoubleEq(0.04), DoubleEq(0.05)));
+  EXPECT_THAT(intervals, ElementsAre(DoubleEq(0.02), DoubleEq(0.02), DoubleEq(0.01)));
+}
+
+TEST(ContactJoin, WantsTheStepWithWhichTheMeasurementBegins) {
+  ContactJoin join(mill_at(0.0), steps, [](const WallContacts&) {});
+  for (const long step : {120, 140, 160, 180, 200}) {
+    join.take_contacts(contacts_of(step, {Touch{}}));
+    join.take_spins(spins_of(step, {Touch{}}));
+  }
+  EXPECT_THAT([&] { join.finish(); }, ThrowsMessage<ResultRejected>(HasSubstr("step 100")));
+}
+
+// A mill about -x with gravity along +y: its axis is our y, upwards our z.
+TEST(ContactJoin, TurnsTheAxesOfTheDeckToTheMills) {
+  DumpFrame frame = dump_frame(steps);
+  frame.to_mill << 0.0, 0.0, -1.0, -1.0, 0.0, 0.0, 0.0, -1.0, 0.0;
+  frame.angle = 0.25;
+  frame.angle_step = 20;
+  const Case mill = mill_at(3.0);
+  WallContacts sample{};
+  ContactJoin join(mill, 10, frame, [&](const WallContacts& s) { sample = s; });
+  Touch touch;
+  const Eigen::Matrix3d from_mill = frame.to_mill.transpose();
+  for (Eigen::Vector3d* const vector : {&touch.centre, &touch.velocity, &touch.spin, &touch.point,
+                                        &touch.force, &touch.tangential_force})
+    *vector = from_mill * *vector;
+  join.take_contacts(contacts_of(120, {touch}));
+  join.take_spins(spins_of(120, {touch}));
+  const WallContact expected = joined(Touch{}, 3.0);
+  const WallContact& found = sample.contacts.at(0);
+  EXPECT_NEAR((found.point - expected.point).norm(), 0.0, 1e-15);
+  EXPECT_NEAR(found.normal_force, expected.normal_force, 1e-12);
+  EXPECT_NEAR(found.slip_speed, expected.slip_speed, 1e-12);
+  EXPECT_DOUBLE_EQ(sample.mill_angle, 0.25 + 3.0 * 0.100);
+}
+
+// The dumps of another run have the particle elsewhere at the same step.
+TEST(ContactJoin, RefusesAContactThatIsNotOnItsParticle) {
+  ContactJoin join(mill_at(0.0), steps, [](const WallContacts&) {});
+  Touch elsewhere;
+  elsewhere.centre.x() = 0.2;
+  join.take_contacts(contacts_of(120, {Touch{}}));
+  EXPECT_THAT([&] { join.take_spins(spins_of(120, {elsewhere})); },
+              ThrowsMessage<ResultRejected>(HasSubstr("not of one run")));
+}
+
+TEST(ContactJoin, WantsAsManySamplesAsTheStretchHas) {
+  ContactJoin join(mill_at(0.0), steps, [](const WallContacts&) {});
+  for (const long step : {100, 120, 140, 160, 180}) {
+    join.take_contacts(contacts_of(step, {Touch{}}));
+    join.take_spins(spins_of(step, {Touch{}}));
+  }
+  EXPECT_THAT([&] { join.finish(); },
+              ThrowsMessage<ResultRejected>(HasSubstr("4 samples of the wall contacts, up to step "
+                                                      "180, and not 5, up to step 200")));
 }
 
 TEST(ContactJoin, HoldsNoSnapshotThatIsJoined) {

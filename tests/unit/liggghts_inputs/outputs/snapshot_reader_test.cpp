@@ -11,6 +11,7 @@
 namespace millwear::liggghts {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
@@ -81,6 +82,53 @@ TEST(SnapshotReader, RefusesADumpTornAtAnyByte) {
     }
 }
 
+TEST(SnapshotReader, RefusesStepsOutOfOrder) {
+  EXPECT_EQ(refusal(dump_text(20, {}) + dump_text(21, {})), "");
+  for (const long step : {20L, 0L})
+    EXPECT_THAT(refusal(dump_text(20, {}) + dump_text(step, {})),
+                AllOf(StartsWith("contacts.dump:11: "), HasSubstr("comes after step 20")));
+}
+
+ChosenColumns third_and_first(std::span<const std::string_view> names) {
+  const auto third = std::ranges::find(names, "third");
+  if (third == names.end()) return {{}, "no column third"};
+  return {{static_cast<std::size_t>(third - names.begin()), 0}};
+}
+
+std::string with_names(std::string dump, const std::string& names) {
+  for (std::size_t at = 0; (at = dump.find("c_hits[1]", at)) != std::string::npos;)
+    dump.replace(at, 9, names);
+  return dump;
+}
+
+TEST(SnapshotReader, ReadsTheColumnsThatAreChosenByName) {
+  std::vector<std::vector<double>> seen;
+  SnapshotReader reader("contacts.dump", third_and_first,
+                        [&](const Snapshot& snapshot) { seen.push_back(snapshot.values); });
+  reader.feed(with_names(dump_text(0, {{1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}}), "first second third"));
+  reader.feed(with_names(dump_text(20, {{1.0, 2.0}}), "first third"));
+  reader.finish();
+  EXPECT_THAT(seen, ElementsAre(ElementsAre(3.0, 1.0, 6.0, 4.0), ElementsAre(2.0, 1.0)));
+}
+
+TEST(SnapshotReader, NamesTheLineOfAHeaderWithoutAColumn) {
+  SnapshotReader reader("contacts.dump", third_and_first, [](const Snapshot&) {});
+  try {
+    reader.feed(with_names(dump_text(0, {{1.0, 2.0}}), "first second"));
+    FAIL() << "a column is missing";
+  } catch (const ResultRejected& problem) {
+    EXPECT_STREQ(problem.what(), "contacts.dump:9: no column third");
+  }
+}
+
+TEST(SnapshotReader, RefusesARowThatIsNotAsLongAsItsNames) {
+  for (const auto& row : {std::vector{1.0, 2.0}, {1.0, 2.0, 3.0, 4.0}}) {
+    SnapshotReader reader("contacts.dump", third_and_first, [](const Snapshot&) {});
+    EXPECT_THROW(reader.feed(with_names(dump_text(0, {row}), "first second third")),
+                 ResultRejected);
+  }
+}
+
 TEST(SnapshotReader, NamesTheLineOfABrokenRow) {
   const std::string head = dump_text(0, {{1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}});
   const auto with_last_row = [&](const std::string& row) {
@@ -104,6 +152,8 @@ TEST(SnapshotReader, RefusesRowsThatDoNotMatchTheirHeader) {
 
 TEST(SnapshotReader, HoldsOneSnapshotHoweverLongTheRun) {
   const std::string dump = dump_text(20, std::vector<std::vector<double>>(50, {1.25, 2.5, 3.75}));
+  const std::string behind_step = dump.substr(dump.find("20") + 2);
+  long step = 0;
   std::size_t capacity = 0;
   long snapshots = 0;
   SnapshotReader reader("contacts.dump", 3, [&](const Snapshot& snapshot) {
@@ -112,8 +162,10 @@ TEST(SnapshotReader, HoldsOneSnapshotHoweverLongTheRun) {
   });
   const auto feed = [&](int times) {
     for (int i = 0; i < times; ++i) {
-      reader.feed(std::string_view(dump).substr(0, 200));
-      reader.feed(std::string_view(dump).substr(200));
+      reader.feed("ITEM: TIMESTEP\n");
+      reader.feed(std::to_string(++step));
+      reader.feed(std::string_view(behind_step).substr(0, 200));
+      reader.feed(std::string_view(behind_step).substr(200));
     }
   };
   feed(10);

@@ -11,9 +11,9 @@ TEST(RecorderOrders, SampleEveryMultipleAfterTheFirstStep) {
   RecordingPlan plan{};
   plan.first_step = 100;
   plan.last_step = 300;
-  EXPECT_EQ(samples_of(plan), 200);
+  EXPECT_EQ(samples_between(plan, 100, 300), 200);
   plan.every_steps = 30;
-  EXPECT_EQ(samples_of(plan), 7);  // 120, 150, ... 300
+  EXPECT_EQ(samples_between(plan, 100, 300), 7);  // 130, 160, ... 280, 300
 }
 
 // What is not wanted is not told.

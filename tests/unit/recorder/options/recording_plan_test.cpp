@@ -9,6 +9,7 @@
 namespace millwear::recorder {
 namespace {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
 
 std::vector<std::string> complete() {
@@ -36,9 +37,33 @@ void expect_refused(const std::vector<std::string>& words, const std::string& wh
   }
 }
 
+/// The steps from `from` on that are sampled, up to the plan's end.
+std::vector<long> sampled_steps(const RecordingPlan& plan, long from) {
+  std::vector<long> steps;
+  for (long step = from; step <= plan.last_step + 1; ++step)
+    if (is_sampled(plan, step)) steps.push_back(step);
+  return steps;
+}
+
 TEST(RecordingPlan, SamplesEveryStepUnlessTold) {
-  EXPECT_EQ(samples_of(recording_plan(complete())), 200);
-  EXPECT_EQ(samples_of(recording_plan(with(complete(), "--every", "30"))), 7);  // 120 ... 300
+  const auto plan = recording_plan(complete());
+  const auto steps = sampled_steps(plan, 0);
+  EXPECT_EQ(steps.front(), 101);
+  EXPECT_EQ(steps.back(), 300);
+  EXPECT_EQ(steps.size(), 200u);
+  EXPECT_EQ(samples_between(plan, 100, 300), 200);
+}
+
+// From step 100 to 300: every 30 steps behind the first, and the last.
+TEST(RecordingPlan, SamplesStandForAllStepsOfTheMeasurement) {
+  auto plan = recording_plan(with(complete(), "--every", "30"));
+  EXPECT_THAT(sampled_steps(plan, 0), ElementsAre(130, 160, 190, 220, 250, 280, 300));
+  EXPECT_EQ(samples_between(plan, 100, 300), 7);
+  plan.last_step = 350;  // it goes on
+  EXPECT_THAT(sampled_steps(plan, 301), ElementsAre(310, 340, 350));
+  EXPECT_EQ(samples_between(plan, 300, 350), 3);
+  EXPECT_THAT(sampled_steps(recording_plan(with(complete(), "--every", "301")), 0),
+              ElementsAre(300));
 }
 
 TEST(RecordingPlan, RefusesWhatIsMissingUnknownOrNoNumber) {
@@ -58,7 +83,6 @@ TEST(RecordingPlan, RefusesWhatIsMissingUnknownOrNoNumber) {
 TEST(RecordingPlan, RefusesStepsThatDoNotFit) {
   expect_refused(with(complete(), "--until", "100"), "--until 100 has to lie after --after 100");
   expect_refused(with(complete(), "--until", "50"), "--until 50 has to lie after --after 100");
-  expect_refused(with(complete(), "--every", "301"), "--every 301 gives no sample");
   expect_refused(with(complete(), "--pairs-after", "99"), "--pairs-after 99 has to lie from");
   expect_refused(with(complete(), "--pairs-after", "300"), "before --until 300");
   EXPECT_EQ(recording_plan(with(complete(), "--pairs-after", "100")).pairs_after, 100);

@@ -53,6 +53,18 @@ struct Trial {
   }
 };
 
+// 100 N * 0.5 m/s: 0.5 J in the tracker's own 10 ms, 0.2 J in a sample that stands for 4 ms.
+TEST(CollisionTracker, TakesTheTimeThatASampleStandsFor) {
+  Trial trial;
+  const std::vector<WallContact> contacts = {touch(7, 0.0)};
+  const std::vector<LinerPlace> places = {LinerPlace{0.25, 3}};
+  trial.tracker.add(0.01, measured, contacts, places);
+  trial.tracker.add(0.014, measured, contacts, places, 0.004);
+  trial.tracker.finish();
+  EXPECT_DOUBLE_EQ(trial.ended.at(0).sliding_work, 0.5 + 0.2);
+  EXPECT_DOUBLE_EQ(trial.ended.at(0).slip_distance, 0.5 * 0.014);
+}
+
 // Three samples from t = 0: ends at 0.02 s. Work in each: 100 N * 0.5 m/s * 0.01 s = 0.5 J.
 TEST(CollisionTracker, SumsOneCollisionFromItsFirstSampleToItsLast) {
   Trial trial;

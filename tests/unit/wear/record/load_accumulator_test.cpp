@@ -64,6 +64,19 @@ TEST(LoadAccumulator, AddsEveryMeasureToItsCellClassAndBlock) {
   EXPECT_EQ(triangles.leftCols(2).sum(), 0.0);
 }
 
+// The measurement's samples stand for 10 ms, this one for 4 ms.
+TEST(LoadAccumulator, TakesTheTimeThatASampleStandsFor) {
+  LoadAccumulator accumulator(square_lifter(), sample_measurement);
+  accumulator.add({0.503, 0.2, {sample_contact({0.0, 0.1}, 3, 0.2)}, 0.004});
+  const WallLoad load = accumulator.finish().load;
+  EXPECT_DOUBLE_EQ(sum(load, Measure::normal_impulse), 100.0 * 0.004);
+  EXPECT_DOUBLE_EQ(sum(load, Measure::sliding_work), 100.0 * 0.5 * 0.004);
+  EXPECT_DOUBLE_EQ(sum(load, Measure::finnie), 3.0 * 0.004);
+  EXPECT_EQ(sum(load, Measure::samples), 1.0);
+  EXPECT_EQ(load.by_block(Measure::samples).col(1).sum(), 1.0)
+      << "0.499 ... 0.503 s has its middle in the second block, 0.493 ... 0.503 s in the first";
+}
+
 TEST(LoadAccumulator, BinsAndRejectedEqualTheTotal) {
   const LinerProfile profile = square_lifter();
   const WallContacts sample = random_contacts(profile, 0.3, 0.7);

@@ -9,6 +9,7 @@
 #include "mill/case_file/case_warnings.h"
 #include "mill/liner/profile_measures.h"
 #include "orchestrator/app/verbs.h"
+#include "orchestrator/campaign/mesh_files.h"
 #include "orchestrator/dem_run/cost_estimate.h"
 
 namespace millwear::orchestrator {
@@ -130,6 +131,7 @@ void print_check(const Case& mill, int ranks) {
 
 void check_verb(const Command& command) {
   const Case mill = read_case(command.case_file);
+  check_liner_can_be_meshed(mill);
   const int ranks = command.ranks.value_or(ranks_for(mill));
   if (command.form == OutputForm::json)
     fmt::print("{}\n", check_json(mill, ranks).dump(1));

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 
+#include "mill/base/contract.h"
 #include "mill/base/failure.h"
 #include "mill/liner/profile_crossing.h"
 
@@ -54,28 +55,26 @@ struct BestOutline {
 void refuse_crossing(const LinerProfile& profile, std::string_view subject,
                      std::string_view remedy) {
   const auto [first, second] = first_crossing(profile);
-  if (first >= 0) {
+  if (first < 0) return;
+  if (const auto twice = node_given_twice(profile, {first, second})) {
     throw InputError(fmt::format(
-        "{} crosses itself: segment {} (from {:.6g}, {:.6g} m) meets segment {} (from {:.6g}, "
-        "{:.6g} m); {}",
-        subject, first, profile.nodes[first].x(), profile.nodes[first].y(), second,
-        profile.nodes[second].x(), profile.nodes[second].y(), remedy));
+        "{} has a node twice: its nodes {} and {} are both ({:.6f}, {:.6f}) m, to a micrometre; "
+        "delete one of the two",
+        subject, twice->first, twice->second, profile.nodes[twice->first].x(),
+        profile.nodes[twice->first].y()));
   }
+  throw InputError(fmt::format(
+      "{} crosses itself: segment {} (from {:.6g}, {:.6g} m) meets segment {} (from {:.6g}, {:.6g} "
+      "m); {}",
+      subject, first, profile.nodes[first].x(), profile.nodes[first].y(), second,
+      profile.nodes[second].x(), profile.nodes[second].y(), remedy));
 }
 
 }  // namespace
 
 std::vector<Eigen::Vector2d> dem_outline(const LinerProfile& profile, double tolerance) {
-  if (profile.nodes.size() < 3) {
-    throw InputError(fmt::format("a liner profile needs 3 nodes or more, this one has {}",
-                                 profile.nodes.size()));
-  }
-  if (!(tolerance > 0.0)) {
-    throw InputError(fmt::format(
-        "the mesh tolerance is {} m; it must be positive, a few per cent of the smallest "
-        "particle's radius",
-        tolerance));
-  }
+  expect(profile.nodes.size() >= 3, "a profile that is meshed has 3 nodes or more");
+  expect(tolerance > 0.0, "a mesh tolerance is above 0 m");
   refuse_crossing(profile, "the liner profile", "a profile must run from edge to edge once");
 
   const std::span<const Eigen::Vector2d> nodes(profile.nodes);

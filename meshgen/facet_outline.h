@@ -14,8 +14,8 @@ namespace millwear::meshgen {
 /// steel (recession) than stands out into the charge (protrusion). Standing out by up to the
 /// tolerance cannot be avoided where the plate is hollow: particles at rest on the mesh before it
 /// may overlap a new one by that much.
-/// Throws InputError if the profile has fewer than 3 nodes, the tolerance is not positive, or the
-/// profile or its outline crosses itself.
+/// The profile has 3 nodes or more and the tolerance is positive (std::logic_error). Throws
+/// InputError if the profile or its outline crosses itself or has a node twice.
 [[nodiscard]] std::vector<Eigen::Vector2d> dem_outline(const LinerProfile& profile,
                                                        double tolerance);
 

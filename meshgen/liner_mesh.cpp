@@ -7,6 +7,7 @@
 
 #include "meshgen/facet_outline.h"
 #include "meshgen/gmsh_kernel.h"
+#include "mill/base/contract.h"
 #include "mill/base/failure.h"
 #include "mill/liner/mill_frame.h"
 
@@ -15,18 +16,14 @@ namespace {
 
 constexpr int triangles_per_layer = 2;
 
-/// The farthest apart that the two ends of a profile may lie when one is carried a pitch, as a
-/// share of the plate's radius.
-constexpr double end_gap = 1e-9;
-
 void refuse_open_ends(const LinerProfile& profile) {
   const Eigen::Vector2d end = shifted_by_pitches(profile.sector, profile.nodes.front(), 1);
   const double gap = (end - profile.nodes.back()).norm();
-  if (!(gap <= end_gap * profile.sector.plate_radius)) {
+  if (!(gap <= same_point)) {
     throw InputError(fmt::format(
-        "the liner profile's ends lie {:.3g} m apart once carried over the pitch; they must be the "
-        "same point of two neighbouring lifters",
-        gap));
+        "the liner profile's ends lie {:.3g} m apart once carried over the pitch ({:g} m at most); "
+        "they must be the same point of two neighbouring lifters",
+        gap, same_point));
   }
 }
 
@@ -61,10 +58,7 @@ std::vector<Eigen::Vector2d> ring_of(const LinerSector& sector,
 }  // namespace
 
 TriangleAddress address_of(const LinerMesh& mesh, std::size_t triangle) {
-  if (triangle >= mesh.triangles.size()) {
-    throw InputError(fmt::format("the liner mesh has triangles 0 to {}, not {}",
-                                 mesh.triangles.size() - 1, triangle));
-  }
+  expect(triangle < mesh.triangles.size(), "a triangle whose address is asked for is of the mesh");
   const int strip = static_cast<int>(triangle) / triangles_per_layer;
   const int facet = strip / mesh.layers;
   return {facet / mesh.facets_per_lifter, facet % mesh.facets_per_lifter, strip % mesh.layers};
@@ -74,9 +68,7 @@ LinerMesh build_liner_mesh(const LinerProfile& profile, double slice_length,
                            const MeshSettings& settings) {
   auto outline = dem_outline(profile, settings.tolerance);
   refuse_open_ends(profile);
-  if (!(slice_length > 0.0)) {
-    throw InputError(fmt::format("the slice is {} m long; it must be positive", slice_length));
-  }
+  expect(slice_length > 0.0, "a slice is longer than 0 m");
   if (settings.longest_facet) {
     outline = with_facets_below(outline, *settings.longest_facet);
   }

@@ -35,7 +35,8 @@ struct TriangleAddress {
   bool operator==(const TriangleAddress&) const = default;
 };
 
-/// `triangle` counts from 0 in the order of the STL file. Throws InputError if there is none such.
+/// `triangle` counts from 0 in the order of the STL file. There is such a one
+/// (std::logic_error).
 [[nodiscard]] TriangleAddress address_of(const LinerMesh& mesh, std::size_t triangle);
 
 /// The ring of lifters with the outline of `dem_outline`.

@@ -5,6 +5,7 @@
 #include "mill/case_file/case_values.h"
 #include "mill/case_keys/mill_keys.h"
 #include "mill/liner/parametric_lifter.h"
+#include "mill/liner/profile_crossing.h"
 #include "mill/liner/profile_csv.h"
 #include "mill/liner/profile_ends.h"
 
@@ -69,9 +70,15 @@ LinerProfile build_liner(const CaseDocument& document, const LinerSector& sector
     const auto path = document.file.parent_path() / std::get<std::string>(csv->data);
     problems.attempt(csv->line, [&] { liner = read_profile_csv(path, liner.sector); });
   } else if (const CaseValue* const nodes = lifter.find("nodes_m")) {
-    problems.attempt(nodes->line, [&] {
-      liner = completed_profile(liner.sector, point_values(lifter, "nodes_m"));
-    });
+    const auto points = point_values(lifter, "nodes_m");
+    if (const auto again = first_repeated_node(points)) {
+      problems.add(std::get<CaseArray>(nodes->data)[*again].line,
+                   fmt::format("`nodes_m` gives a node twice (number {} and number {}, both "
+                               "({:.6g}, {:.6g}) m); delete one of the two",
+                               *again, *again + 1, points[*again].x(), points[*again].y()));
+      return liner;
+    }
+    problems.attempt(nodes->line, [&] { liner = completed_profile(liner.sector, points); });
   } else {
     problems.attempt(lifter.line, [&] { liner = build_parametric(lifter, liner.sector); });
   }

@@ -33,7 +33,7 @@ void check_profile(const Case& mill, const CaseDocument& document, CaseProblems&
                                    liner.nodes.size(), most_profile_nodes));
     return;
   }
-  constexpr double slack = 1e-9;
+  const double slack = same_point / liner.sector.plate_radius;
   for (std::size_t i = 0; i < liner.nodes.size(); ++i) {
     const Eigen::Vector2d& node = liner.nodes[i];
     const double radius = radius_of(liner.sector, node);
@@ -55,7 +55,13 @@ void check_profile(const Case& mill, const CaseDocument& document, CaseProblems&
     }
   }
   const auto [first, second] = first_crossing(liner);
-  if (first >= 0) {
+  if (first < 0) return;
+  if (const auto twice = node_given_twice(liner, {first, second})) {
+    const Eigen::Vector2d& node = liner.nodes[static_cast<std::size_t>(twice->first)];
+    problems.add(line, fmt::format("the profile has a node twice (its nodes {} and {} are both "
+                                   "({:.6f}, {:.6f}) m, to a micrometre); delete one of the two",
+                                   twice->first, twice->second, node.x(), node.y()));
+  } else {
     const Eigen::Vector2d& a = liner.nodes[static_cast<std::size_t>(first)];
     const Eigen::Vector2d& b = liner.nodes[static_cast<std::size_t>(second)];
     problems.add(line, fmt::format("the profile crosses itself (segment {} from ({:.4f}, {:.4f}) m "

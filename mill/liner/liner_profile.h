@@ -25,6 +25,10 @@ struct LinerProfile {
   std::vector<Eigen::Vector2d> nodes;  ///< (xi, eta) [m], at least 3
 };
 
+/// Points nearer than this are one [m]: no drawing and no gauge tells them apart, and a file with
+/// six decimals does not either.
+inline constexpr double same_point = 1e-6;
+
 /// Distance of a point of the master frame from the mill's axis [m].
 [[nodiscard]] double radius_of(const LinerSector& sector, const Eigen::Vector2d& point);
 

@@ -71,4 +71,22 @@ std::pair<int, int> first_crossing(const LinerProfile& profile) {
   return {-1, -1};
 }
 
+std::optional<std::pair<int, int>> node_given_twice(const LinerProfile& profile,
+                                                    std::pair<int, int> crossing) {
+  for (const int a : {crossing.first, crossing.first + 1}) {
+    for (const int b : {crossing.second, crossing.second + 1}) {
+      if (a != b && (profile.nodes.at(a) - profile.nodes.at(b)).norm() <= same_point) {
+        return std::pair(a, b);
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<std::size_t> first_repeated_node(const std::vector<Eigen::Vector2d>& nodes) {
+  const auto first = std::adjacent_find(nodes.begin(), nodes.end());
+  if (first == nodes.end()) return std::nullopt;
+  return static_cast<std::size_t>(first - nodes.begin()) + 1;
+}
+
 }  // namespace millwear

@@ -14,7 +14,8 @@ namespace millwear {
 /// The nodes of a profile as such a file; what is read back is the same to the last bit.
 [[nodiscard]] std::string profile_csv(const LinerProfile& profile);
 
-/// A whole pitch from a measured profile: `completed_profile` of its nodes.
+/// A whole pitch from a measured profile: `completed_profile` of its nodes. Throws InputError, with
+/// file and line, for a node that is given twice.
 [[nodiscard]] LinerProfile read_profile_csv(const std::filesystem::path& file,
                                             const LinerSector& sector);
 

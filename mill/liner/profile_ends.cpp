@@ -11,7 +11,8 @@
 namespace millwear {
 namespace {
 
-constexpr double same_place = 1e-9;  // [m]
+constexpr double at_edge = 1e-9;    // [m]
+constexpr double rounding = 1e-12;  // [m]
 
 /// Cuts what lies beyond the sector's trailing edge, putting a node where the profile passes it.
 void cut_at_trailing_edge(const LinerSector& sector, std::vector<Eigen::Vector2d>& nodes) {
@@ -27,9 +28,10 @@ void cut_at_trailing_edge(const LinerSector& sector, std::vector<Eigen::Vector2d
   const Eigen::Vector2d& out = *(inside - 1);
   const double before = edge - angle_of(sector, out);
   const double share = before / (before + angle_of(sector, *inside) - edge);
-  const Eigen::Vector2d cut = out + share * (*inside - out);
-  nodes.erase(nodes.begin(), inside);
-  nodes.insert(nodes.begin(), point_at(sector, radius_of(sector, cut), edge));
+  const Eigen::Vector2d passing = out + share * (*inside - out);
+  const Eigen::Vector2d cut = point_at(sector, radius_of(sector, passing), edge);
+  nodes.erase(nodes.begin(), (*inside - cut).norm() <= same_point ? inside + 1 : inside);
+  nodes.insert(nodes.begin(), cut);
 }
 
 void mirror(std::vector<Eigen::Vector2d>& nodes) {
@@ -54,8 +56,9 @@ void snap_to_edges(const LinerSector& sector, std::vector<Eigen::Vector2d>& node
   const double edge = 0.5 * sector.pitch();
   const Eigen::Vector2d trailing = point_at(sector, radius, -edge);
   const Eigen::Vector2d leading = point_at(sector, radius, edge);
-  if ((nodes.front() - trailing).norm() > same_place ||
-      (nodes.back() - leading).norm() > same_place) {
+  const double gap = (shifted_by_pitches(sector, nodes.front(), 1) - nodes.back()).norm();
+  if (gap > rounding || (nodes.front() - trailing).norm() > at_edge ||
+      (nodes.back() - leading).norm() > at_edge) {
     nodes.front() = trailing;
     nodes.back() = leading;
   }

@@ -4,11 +4,13 @@
 
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <utility>
 
 #include "meshgen/liner_mesh.h"
 #include "meshgen/mesh_check.h"
 #include "meshgen/profile_cad.h"
 #include "meshgen/stl_file.h"
+#include "mill/base/failure.h"
 #include "mill/base/published_file.h"
 #include "mill/base/whole_file.h"
 #include "mill/liner/profile_csv.h"
@@ -16,10 +18,32 @@
 
 namespace millwear::orchestrator {
 
-void write_mesh(const Case& mill, const LinerProfile& liner, const std::filesystem::path& into) {
+namespace {
+
+struct CheckedMesh {
+  meshgen::LinerMesh mesh;
+  meshgen::MeshReport found;
+};
+
+CheckedMesh checked_mesh(const Case& mill, const LinerProfile& liner) {
   const meshgen::MeshSettings settings{.tolerance = mesh_tolerance(mill)};
-  const auto mesh = meshgen::build_liner_mesh(liner, mill.slice_length, settings);
+  auto mesh = meshgen::build_liner_mesh(liner, mill.slice_length, settings);
   const auto found = meshgen::check_mesh(mesh, liner, settings);
+  return {std::move(mesh), found};
+}
+
+}  // namespace
+
+void check_liner_can_be_meshed(const Case& mill) {
+  try {
+    static_cast<void>(checked_mesh(mill, mill.liner));
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", mill.file.string(), error.what()));
+  }
+}
+
+void write_mesh(const Case& mill, const LinerProfile& liner, const std::filesystem::path& into) {
+  const auto [mesh, found] = checked_mesh(mill, liner);
   meshgen::write_stl(mesh, into / stage_files::mesh);
   publish(into / stage_files::profile, profile_csv(liner));
   meshgen::write_dxf(liner, into / stage_files::profile_dxf);

@@ -10,6 +10,10 @@ namespace millwear::orchestrator {
 /// of the mesh (JSON) into a folder. Throws what meshgen throws.
 void write_mesh(const Case& mill, const LinerProfile& liner, const std::filesystem::path& into);
 
+/// Makes the mesh of the case's new liner and holds it against every rule that `write_mesh` does;
+/// writes nothing. Throws what meshgen throws, an InputError with the case's file before it.
+void check_liner_can_be_meshed(const Case& mill);
+
 /// Number of triangles of the mesh that `write_mesh` left in a folder.
 [[nodiscard]] std::size_t triangles_of_mesh(const std::filesystem::path& mesh_folder);
 

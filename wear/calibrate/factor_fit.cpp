@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 
+#include "mill/base/contract.h"
 #include "mill/base/failure.h"
 #include "wear/calibrate/path_prediction.h"
 #include "wear/numerics/non_negative_least_squares.h"
@@ -55,9 +56,9 @@ void check(const WearPath& path, const Observations& observations) {
         "fewer mechanisms",
         observations.size(), mechanisms));
   for (const auto& seen : observations)
-    if (!(seen.time > 0.0) || !(seen.error > 0.0) || !std::isfinite(seen.lost) ||
-        seen.channel < 0 || seen.channel >= path.channels.count())
-      throw InputError("a measured loss needs a time and an error above zero, and a channel");
+    expect(seen.time > 0.0 && seen.error > 0.0 && std::isfinite(seen.lost) && seen.channel >= 0 &&
+               seen.channel < path.channels.count(),
+           "a measured loss has a time and an error above zero, and a channel");
   Eigen::VectorXd wear = Eigen::VectorXd::Zero(mechanisms);
   for (const auto& piece : path.pieces) wear += piece.start.pace + piece.end.pace;
   for (Eigen::Index m = 0; m < mechanisms; ++m)

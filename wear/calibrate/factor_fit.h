@@ -27,8 +27,8 @@ struct FactorFit {
 
 /// Minimises chi-square over factors >= 0: Gauss and Newton's steps, each a non-negative
 /// least-squares problem, shortened until they lower chi-square. Starts from one common factor, or
-/// from `start`. Throws InputError for fewer observations than mechanisms, for an observation that
-/// cannot be, and for a mechanism that wears nothing anywhere on the path.
+/// from `start`. Throws InputError for fewer observations than mechanisms and for a mechanism that
+/// wears nothing anywhere on the path, std::logic_error for an observation that cannot be.
 [[nodiscard]] FactorFit fit_factors(const WearPath& path,
                                     const std::vector<LossObservation>& observations,
                                     const std::optional<Eigen::VectorXd>& start = {});

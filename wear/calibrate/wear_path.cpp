@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mill/base/failure.h"
+#include "mill/base/contract.h"
 #include "mill/liner/profile_measures.h"
 #include "wear/calibrate/angular_zones.h"
 #include "wear/evolve/load_carrier.h"
@@ -210,13 +210,13 @@ class PathBuilder {
 };
 
 void check(const std::vector<PathCycle>& cycles, Eigen::Index zones) {
-  if (cycles.empty() || cycles.front().steps.empty() || zones < 1)
-    throw InputError("a wear path needs a cycle with its steps, and zones");
+  expect(!cycles.empty() && !cycles.front().steps.empty() && zones >= 1,
+         "a wear path has a cycle with its steps, and zones");
   for (const auto& cycle : cycles) {
-    if (cycle.mechanisms.empty() || cycle.mechanisms.size() != cycles.front().mechanisms.size())
-      throw InputError("a wear path needs the same mechanisms in every cycle");
+    expect(!cycle.mechanisms.empty() && cycle.mechanisms.size() == cycles.front().mechanisms.size(),
+           "a wear path has the same mechanisms in every cycle");
     for (const auto& step : cycle.steps)
-      if (!(step.worn_section > 0.0)) throw InputError("a step of a wear path takes no steel");
+      expect(step.worn_section > 0.0, "every step of a wear path takes steel");
   }
 }
 

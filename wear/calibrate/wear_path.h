@@ -72,7 +72,8 @@ struct WearPath {
 /// path is the section q_m that a mechanism takes; or, by height, q_0 w_m / w_0 of the crest, with
 /// which the height on the path is the height worn.
 ///
-/// Throws InputError for no cycle, no step, curves of another number, or no zone.
+/// There is a cycle with a step that takes steel, and a zone; every cycle has the same mechanisms
+/// (std::logic_error).
 [[nodiscard]] WearPath wear_path(const std::vector<PathCycle>& cycles, PathPace pace,
                                  Eigen::Index zones);
 

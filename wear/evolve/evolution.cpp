@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "mill/base/contract.h"
 #include "mill/base/failure.h"
 #include "mill/liner/profile_measures.h"
 #include "wear/evolve/profile_motion.h"
@@ -84,10 +85,9 @@ TimedMove move_to_limit(const LinerProfile& profile, const LossRate& loss, Timed
 
 void check(const TimedLoad& load, double new_lifter_area, const CampaignSettings& settings,
            double longest) {
-  if (!(settings.threshold > 0.0) || settings.steps_per_cycle <= 0 || !(new_lifter_area > 0.0) ||
-      !(longest > 0.0)) {
-    throw InputError("a campaign needs a threshold, steps per cycle, time and a lifter above zero");
-  }
+  expect(settings.threshold > 0.0 && settings.steps_per_cycle > 0 && new_lifter_area > 0.0 &&
+             longest > 0.0,
+         "threshold, steps per cycle, time and area of the new lifter are above zero");
   const Eigen::VectorXd& rate = load.rate.values;
   if (!rate.allFinite() || rate.minCoeff() < 0.0 || !(rate.maxCoeff() > 0.0)) {
     throw ResultRejected(

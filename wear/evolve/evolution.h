@@ -51,7 +51,7 @@ inline constexpr double limit_within = 1e-6;
 /// more than the load can take is halved until it is not; where the places are gone that the load
 /// wore, it is spent.
 /// Source: the 2006 paper, "Predicting the evolved lifter profile"; docs/physics.md.
-/// Throws InputError for settings and times not above zero, ResultRejected where the load wears
+/// Settings and times are above zero (std::logic_error). Throws ResultRejected where the load wears
 /// nothing or the profile cannot be moved.
 [[nodiscard]] Evolution evolve(std::span<const TimedLoad> loads, double new_lifter_area,
                                const CampaignSettings& settings,

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "mill/base/failure.h"
+#include "mill/base/contract.h"
 
 namespace millwear::wear {
 namespace {
@@ -10,7 +10,7 @@ namespace {
 constexpr double clearly = 2.0;
 
 const TimedLoad& newest_of(std::span<const TimedLoad> loads) {
-  if (loads.empty()) throw InputError("a liner wears under a load; there is none");
+  expect(!loads.empty(), "a liner wears under one load or more");
   return loads.back();
 }
 
@@ -24,9 +24,7 @@ LoadInTime::LoadInTime(std::span<const TimedLoad> loads)
     : newest_(newest_of(loads)), carrier_(newest_.profile, newest_.rate.values.size()) {
   if (loads.size() < 2) return;
   previous_ = loads[loads.size() - 2];
-  if (!(previous_->time < newest_.time)) {
-    throw InputError("the loads on a wearing liner have to be in the order of their times");
-  }
+  expect(previous_->time < newest_.time, "the times of a liner's loads increase");
   previous_onto_newest_ = LoadCarrier(previous_->profile, previous_->rate.values.size())
                               .onto_bins(newest_.profile, newest_.rate.values.size());
   const ZonedLoad after = zoned(newest_, newest_.profile);

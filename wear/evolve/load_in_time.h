@@ -26,8 +26,8 @@ namespace millwear::wear {
 /// noise is not.
 class LoadInTime {
  public:
-  /// The newest load last; only the last two count. Throws InputError for none, or times that do
-  /// not increase.
+  /// The newest load last; only the last two count. There is at least one, and their times
+  /// increase (std::logic_error).
   explicit LoadInTime(std::span<const TimedLoad> loads);
 
   /// Carries what stands on the newest load's liner onto profiles worn from it.

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <optional>
 
+#include "mill/base/contract.h"
 #include "mill/base/failure.h"
 #include "mill/liner/profile_crossing.h"
 #include "mill/liner/profile_measures.h"
@@ -278,8 +279,8 @@ ScaledTrial find_scale(const Take& take, double first_scale, double target_area,
 MovedProfile move_profile(const LinerProfile& profile, const std::vector<LossNode>& loss,
                           double target_area, double resolution) {
   const LinerSector& sector = profile.sector;
-  if (sector.rows < 4) throw InputError("a worn profile needs a mill of at least 4 rows");
-  if (!(target_area >= 0.0)) throw InputError("the area to remove must not be negative");
+  expect(sector.rows >= 4, "a profile is moved in a mill of at least 4 rows");
+  expect(target_area >= 0.0, "the area to remove is not negative");
   if (target_area == 0.0) return {profile, 0.0, 0.0, 0.0};
   if (target_area >= steel_area(profile)) {
     throw ResultRejected(

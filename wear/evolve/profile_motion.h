@@ -26,8 +26,9 @@ struct MovedProfile {
 /// radius on both edges of the sector. Nodes that no loss touched stay exactly where they are.
 /// New nodes are kept apart by about a twentieth of `resolution` [m], the width of a bin.
 /// Below the shell the steel is taken to go on, so that a limit can be looked for from both sides.
-/// Throws InputError for fewer than 4 rows or a target below zero, and ResultRejected where nothing
-/// is lost, where the target is more steel than there is, or where no valid profile results.
+/// Takes 4 rows or more and a target not below zero (std::logic_error). Throws ResultRejected where
+/// nothing is lost, where the target is more steel than there is, or where no valid profile
+/// results.
 [[nodiscard]] MovedProfile move_profile(const LinerProfile& profile,
                                         const std::vector<LossNode>& loss, double target_area,
                                         double resolution);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "mill/base/failure.h"
+#include "mill/base/contract.h"
 
 namespace millwear::wear {
 namespace {
@@ -15,7 +15,7 @@ constexpr double on_surface = 1e-12;
 LinerProfile without_repeated_nodes(LinerProfile profile) {
   auto& nodes = profile.nodes;
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-  if (nodes.size() < 2) throw InputError("a liner profile needs at least two different nodes");
+  expect(nodes.size() >= 2, "a liner profile has at least two different nodes");
   return profile;
 }
 

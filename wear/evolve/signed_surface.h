@@ -15,8 +15,8 @@ struct SurfacePlace {
 /// At a corner the side is told by the mean of the two normals, which is exact in the plane.
 class SignedSurface {
  public:
-  /// `reach` [m], > 0: points within it are found fast. Throws InputError for a profile of fewer
-  /// than two different nodes.
+  /// `reach` [m], > 0: points within it are found fast. The profile has at least two
+  /// different nodes (std::logic_error).
   SignedSurface(const LinerProfile& profile, double reach);
 
   [[nodiscard]] SurfacePlace place(const Eigen::Vector2d& point) const;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mill/base/failure.h"
+#include "mill/base/contract.h"
 
 namespace millwear::wear {
 namespace {
@@ -16,7 +16,7 @@ constexpr double most_shrinkage = 0.5;
 }  // namespace
 
 StepError step_error(std::span<const TimedLoad> loads, double new_lifter_area) {
-  if (loads.size() < 2) throw InputError("the error of a step takes a load before and after it");
+  expect(loads.size() >= 2, "the error of a step takes a load before it and one after it");
   const TimedLoad& after = loads.back();
   const auto before = loads.first(loads.size() - 1);
   const ZonedLoad predicted = LoadInTime(before).predicted(after.profile, after.time);
@@ -32,7 +32,7 @@ StepError step_error(std::span<const TimedLoad> loads, double new_lifter_area) {
 
 double time_to_next_load(std::span<const TimedLoad> loads, double new_lifter_area,
                          const CampaignSettings& settings) {
-  if (loads.empty()) throw InputError("a step takes a load; there is none");
+  expect(!loads.empty(), "the time to the next load takes one load or more");
   const double per_second = section_rate(loads.back()) / new_lifter_area;
   const double longest = settings.largest_share / per_second;
   if (loads.size() == 1) {

@@ -16,8 +16,8 @@ struct StepError {
 /// difference between its rate and the one that was extrapolated (`LoadInTime`) from those before,
 ///     misplaced = worn_share sqrt(max(0, |d|^2 - 2 s2)) / (2 |v|),
 /// |.| over the zones of the liner (`zoned`), s2 the squares of d's standard errors: with four or
-/// five zones that bear the load, noise alone passes 2 s2 in one step of ten. Throws InputError for
-/// fewer than two loads.
+/// five zones that bear the load, noise alone passes 2 s2 in one step of ten. It takes two
+/// loads or more (std::logic_error).
 [[nodiscard]] StepError step_error(std::span<const TimedLoad> loads, double new_lifter_area);
 
 /// How long the newest of `loads` is to stand before the load is measured anew [s], scheme

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "mill/base/failure.h"
+#include "mill/base/contract.h"
 
 namespace millwear::wear {
 namespace {
@@ -103,10 +103,9 @@ class ActiveSet {
 
 Eigen::VectorXd non_negative_least_squares(const Eigen::MatrixXd& design,
                                            const Eigen::VectorXd& data) {
-  if (design.rows() != data.size() || design.rows() == 0 || design.cols() == 0)
-    throw InputError("a least-squares fit needs a row of the design for every datum, and columns");
-  if (!design.allFinite() || !data.allFinite())
-    throw InputError("a least-squares fit needs finite numbers");
+  expect(design.rows() == data.size() && design.rows() > 0 && design.cols() > 0,
+         "the design of a least-squares fit has a row for every datum, and columns");
+  expect(design.allFinite() && data.allFinite(), "a least-squares fit is of finite numbers");
   const ScaledDesign even = scaled(design);
   ActiveSet set(even.columns, data);
   for (Eigen::Index round = 0; round < 10 * design.cols() && set.free_one(); ++round) {

@@ -8,7 +8,7 @@ namespace millwear::wear {
 /// The active-set method: every component is either zero or free, and one after another is freed
 /// where that lowers the sum. Columns that are zero, or that those already free make up to 1e-10,
 /// stay at zero: of two equal columns one gets all. Weighted data: divide every row of both by its
-/// standard error. Throws InputError for sizes that do not fit and for values not finite.
+/// standard error. Sizes agree and all values are finite (std::logic_error).
 /// Source: Lawson and Hanson (1974), Solving Least Squares Problems, chapter 23.
 [[nodiscard]] Eigen::VectorXd non_negative_least_squares(const Eigen::MatrixXd& design,
                                                          const Eigen::VectorXd& data);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "mill/base/contract.h"
 #include "mill/base/failure.h"
 #include "wear/numerics/paper_spline.h"
 #include "wear/numerics/penalised_spline.h"
@@ -25,19 +26,14 @@ constexpr double even_to = 1e-6;
 void check(const Eigen::VectorXd& bin_edges, const Eigen::VectorXd& rate,
            const Eigen::MatrixXd& by_block) {
   const Eigen::Index bins = rate.size();
-  if (bins < fewest_bins || bin_edges.size() != bins + 1 || by_block.rows() != bins) {
-    throw InputError(fmt::format(
-        "smoothing needs {} bins or more, an edge more than bins, and blocks of as many bins; it "
-        "got {}, {} and {}",
-        fewest_bins, bins, bin_edges.size(), by_block.rows()));
-  }
+  expect(
+      bins >= fewest_bins && bin_edges.size() == bins + 1 && by_block.rows() == bins,
+      "a rate that is smoothed has 8 bins or more, an edge more than bins, and blocks of as many "
+      "bins");
   const Eigen::ArrayXd widths = bin_edges.tail(bins) - bin_edges.head(bins);
-  if (!(widths.maxCoeff() - widths.minCoeff() <= even_to * widths.mean())) {
-    throw InputError("smoothing needs bins of equal width");
-  }
-  if (!rate.allFinite() || rate.minCoeff() < 0.0) {
-    throw InputError("a wear rate is negative or not finite");
-  }
+  expect(widths.maxCoeff() - widths.minCoeff() <= even_to * widths.mean(),
+         "a rate is smoothed on bins of equal width");
+  expect(rate.allFinite() && rate.minCoeff() >= 0.0, "a rate is finite and not negative");
 }
 
 /// Every column averaged over a bin and `half_width` neighbours on each side.

@@ -48,8 +48,7 @@ struct SmoothedLoss {
 /// have no error.
 ///
 /// `rate` has one value per bin (at least 8, none negative), `by_block` bins x blocks; `bin_edges`
-/// even. Throws InputError for sizes that do not fit and negative rates, and ResultRejected where
-/// the fit fails.
+/// even. Sizes agree (std::logic_error). Throws ResultRejected where the fit fails.
 [[nodiscard]] SmoothedLoss smoothed(const Eigen::VectorXd& bin_edges, const Eigen::VectorXd& rate,
                                     const Eigen::MatrixXd& by_block, const Smoothing& how = {});
 

@@ -1,16 +1,15 @@
 #include "wear/record/liner_record.h"
 
-#include "mill/base/failure.h"
+#include "mill/base/contract.h"
 
 namespace millwear::wear {
 
 WallLoad sum_of(const WallLoad& first, const WallLoad& second) {
-  if (first.bins() != second.bins() || first.bin_edges != second.bin_edges ||
-      first.class_count != second.class_count || first.block_count != second.block_count ||
-      first.rows != second.rows || first.slice_length != second.slice_length ||
-      first.duration != second.duration) {
-    throw InputError("two wall loads can be summed only on the same bins, classes and blocks");
-  }
+  expect(first.bins() == second.bins() && first.bin_edges == second.bin_edges &&
+             first.class_count == second.class_count && first.block_count == second.block_count &&
+             first.rows == second.rows && first.slice_length == second.slice_length &&
+             first.duration == second.duration,
+         "wall loads that are summed have the same bins, classes and blocks");
   WallLoad sum = first;
   for (std::size_t m = 0; m < measure_count; ++m) {
     sum.values[m] += second.values[m];
@@ -22,8 +21,8 @@ WallLoad sum_of(const WallLoad& first, const WallLoad& second) {
 namespace {
 
 PairRecord sum_of(PairRecord sum, const PairRecord& more) {
-  if (sum.duration != more.duration)
-    throw InputError("contacts between particles can be summed only over the same window");
+  expect(sum.duration == more.duration,
+         "contacts between particles that are summed are of the same window");
   add_spectrum(sum.spectrum, more.spectrum);
   sum.normal_dissipation += more.normal_dissipation;
   sum.shear_dissipation += more.shear_dissipation;
@@ -34,10 +33,10 @@ PairRecord sum_of(PairRecord sum, const PairRecord& more) {
 }  // namespace
 
 LinerRecord sum_of(const LinerRecord& first, const LinerRecord& second) {
-  if (first.triangles.cols() != second.triangles.cols() ||
-      first.pairs.has_value() != second.pairs.has_value() ||
-      first.motion.has_value() != second.motion.has_value())
-    throw InputError("two records can be summed only on the same mesh and of the same kinds");
+  expect(first.triangles.cols() == second.triangles.cols() &&
+             first.pairs.has_value() == second.pairs.has_value() &&
+             first.motion.has_value() == second.motion.has_value(),
+         "records that are summed are of the same mesh and the same kinds");
   LinerRecord sum = first;
   sum.load = sum_of(first.load, second.load);
   sum.angles.contacts += second.angles.contacts;

@@ -31,7 +31,7 @@ struct LinerRecord {
 };
 
 /// Sum of two records of the same measurement, e.g. of two ranks that saw different contacts.
-/// Throws InputError if they differ in anything but their values.
+/// They differ in nothing but their values (std::logic_error).
 [[nodiscard]] LinerRecord sum_of(const LinerRecord& first, const LinerRecord& second);
 
 /// The same for loads alone.

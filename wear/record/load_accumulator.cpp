@@ -6,6 +6,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "mill/base/contract.h"
 #include "mill/base/failure.h"
 #include "mill/liner/mill_frame.h"
 
@@ -264,9 +265,7 @@ LinerRecord LoadAccumulator::finish() {
 }
 
 WallLoad coarsened(const WallLoad& load, int factor) {
-  if (factor <= 0 || load.bins() % factor != 0) {
-    throw InputError(fmt::format("{} bins cannot be joined by {}", load.bins(), factor));
-  }
+  expect(factor > 0 && load.bins() % factor == 0, "bins are joined by a divisor of their number");
   const Eigen::Index bins = load.bins() / factor;
   WallLoad coarse = load;
   coarse.bin_edges = load.bin_edges(Eigen::seqN(0, bins + 1, factor));

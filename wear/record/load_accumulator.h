@@ -100,8 +100,8 @@ class LoadAccumulator {
   Eigen::Array<double, static_cast<int>(measure_count), Eigen::Dynamic> block_sums_;
 };
 
-/// Joins every `factor` neighbouring bins of a load into one. Throws InputError if `factor` does
-/// not divide their number.
+/// Joins every `factor` neighbouring bins of a load into one. `factor` divides their number
+/// (std::logic_error).
 [[nodiscard]] WallLoad coarsened(const WallLoad& load, int factor);
 
 /// Share of the contacts' normal impulse that was rejected, 0 ... 1; 0 for an empty load.

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <limits>
 
-#include "mill/base/failure.h"
+#include "mill/base/contract.h"
 
 namespace millwear::wear {
 ProfileIndex::ProfileIndex(const LinerProfile& profile, double reach, const IndexGrid& grid)
     : length_(0.0), grid_(grid) {
-  if (profile.nodes.size() < 2) throw InputError("a liner profile needs at least two nodes");
+  expect(profile.nodes.size() >= 2, "a liner profile has at least two nodes");
   for (std::size_t i = 0; i + 1 < profile.nodes.size(); ++i) {
     const double length = (profile.nodes[i + 1] - profile.nodes[i]).norm();
     for (const int pitch : {-1, 0, 1}) {

@@ -29,7 +29,7 @@ inline constexpr IndexGrid grid_for_hundreds{24, 16};
 /// cell's diagonal), so the answer is exact; points outside the grid are compared with all.
 class ProfileIndex {
  public:
-  /// `reach` [m], > 0. Throws InputError for a profile of fewer than two nodes.
+  /// `reach` [m], > 0. The profile has at least two nodes (std::logic_error).
   ProfileIndex(const LinerProfile& profile, double reach, const IndexGrid& grid = {});
 
   [[nodiscard]] ProfilePlace nearest(const Eigen::Vector2d& point) const;

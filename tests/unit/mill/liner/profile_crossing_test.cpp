@@ -43,6 +43,20 @@ TEST(FirstCrossing, FindsASegmentRunBackOverItself) {
             Crossing(1, 2));
 }
 
+// The third node again right after itself: no crossing, whatever its segments say.
+TEST(FirstCrossing, OfANodeGivenTwiceIsTold) {
+  const LinerProfile twice =
+      between_edges({{-0.02, 0.0}, {-0.02, 0.04}, {-0.02, 0.04}, {0.02, 0.04}, {0.02, 0.0}});
+  const Crossing crossing = first_crossing(twice);
+  ASSERT_EQ(crossing, Crossing(1, 3));
+  EXPECT_EQ(node_given_twice(twice, crossing), Crossing(2, 3));
+  EXPECT_EQ(first_repeated_node(twice.nodes), 3U);
+  const LinerProfile crossed =
+      between_edges({{-0.02, 0.0}, {0.02, 0.04}, {-0.02, 0.04}, {0.02, 0.0}});
+  EXPECT_FALSE(node_given_twice(crossed, first_crossing(crossed)));
+  EXPECT_FALSE(first_repeated_node(crossed.nodes));
+}
+
 // A hook that leans far over the next lifter: only its neighbour is crossed, not itself.
 TEST(FirstCrossing, FindsTheNextLifter) {
   const LinerProfile hook = between_edges(

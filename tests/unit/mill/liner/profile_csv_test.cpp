@@ -9,6 +9,7 @@
 
 #include "mill/base/failure.h"
 #include "mill/liner/parametric_lifter.h"
+#include "mill/liner/profile_crossing.h"
 #include "mill/liner/profile_ends.h"
 
 namespace millwear {
@@ -101,6 +102,28 @@ TEST(CompletedProfile, EndsWithinAMillimetreMeet) {
               1e-15);
   nodes.front().y() += 0.0008;
   EXPECT_THROW(static_cast<void>(completed_profile(sector, nodes)), InputError);
+}
+
+// To nine decimals the edges at 15 degrees of R = 0.5 m are (+-0.129409523, 0.017037087): such ends
+// lie some 1e-10 m off the edges and from each other, and are made one point.
+TEST(CompletedProfile, EndsOfNineDecimalsAreOnePoint) {
+  auto nodes = bare_lifter();
+  nodes.insert(nodes.begin(), {-0.129409523, 0.017037087});
+  nodes.push_back({0.129409523, 0.017037087});
+  const LinerProfile snapped = completed_profile(sector, nodes);
+  const Eigen::Vector2d carried = shifted_by_pitches(sector, snapped.nodes.front(), 1);
+  EXPECT_LT((carried - snapped.nodes.back()).norm(), 1e-15);
+  EXPECT_NE(snapped.nodes.front(), nodes.front());
+}
+
+// A gauge that read past the edge and took a point on it: the cut comes there, and only once.
+TEST(CompletedProfile, CutsOnceAtANodeOnTheEdge) {
+  auto nodes = bare_lifter();
+  nodes.insert(nodes.begin(), point_at(sector, 0.5, -0.5 * sector.pitch()));
+  nodes.insert(nodes.begin(), point_at(sector, 0.5, -0.35));
+  const LinerProfile cut = completed_profile(sector, nodes);
+  EXPECT_GT((cut.nodes[1] - cut.nodes[0]).norm(), 1e-3);
+  EXPECT_EQ(first_crossing(cut), (std::pair(-1, -1)));
 }
 
 // A gauge that read 40 degrees of the mill: what lies beyond the 30 of the sector is cut.

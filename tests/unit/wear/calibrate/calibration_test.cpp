@@ -68,8 +68,10 @@ TEST(FitFactors, RefusesWhatCannotBeFitted) {
   };
   EXPECT_THAT(fit({{0, 1.0, 0, 0.1, 0.01}}),
               HasSubstr("1 measured values cannot give the coefficients of 2 mechanisms"));
-  EXPECT_THAT(fit({{0, 1.0, 4, 0.1, 0.01}, {1, 2.0, 0, 0.1, 0.01}}), HasSubstr("a channel"));
-  EXPECT_THAT(fit({{0, 0.0, 0, 0.1, 0.01}, {1, 2.0, 0, 0.1, 0.01}}), HasSubstr("a time"));
+  const std::vector<LossObservation> of_no_channel{{0, 1.0, 4, 0.1, 0.01}, {1, 2.0, 0, 0.1, 0.01}};
+  EXPECT_THROW(static_cast<void>(fit_factors(path, of_no_channel)), std::logic_error);
+  const std::vector<LossObservation> at_no_time{{0, 0.0, 0, 0.1, 0.01}, {1, 2.0, 0, 0.1, 0.01}};
+  EXPECT_THROW(static_cast<void>(fit_factors(path, at_no_time)), std::logic_error);
   for (auto& piece : path.pieces) piece.start.pace[1] = piece.end.pace[1] = 0.0;
   EXPECT_THAT(fit(exact_readings(path, Vector2d(1.0, 0.0), 4, 1.5, 0.01, {0})),
               HasSubstr("mechanism number 2 wears nothing"));

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 
-#include "mill/base/failure.h"
 #include "mill/liner/profile_measures.h"
 #include "tests/support/sample_profiles.h"
 #include "wear/calibrate/angular_zones.h"
@@ -109,11 +109,11 @@ TEST(WearPath, KnowsPlacesThatOnlyTheOtherLawWears) {
 
 TEST(WearPath, RefusesNoSteps) {
   auto cycles = two_cycles();
-  EXPECT_THROW(static_cast<void>(wear_path({}, PathPace::section, zones)), InputError);
+  EXPECT_THROW(static_cast<void>(wear_path({}, PathPace::section, zones)), std::logic_error);
   cycles[1].mechanisms.pop_back();
-  EXPECT_THROW(static_cast<void>(wear_path(cycles, PathPace::section, zones)), InputError);
+  EXPECT_THROW(static_cast<void>(wear_path(cycles, PathPace::section, zones)), std::logic_error);
   cycles.front().steps.clear();
-  EXPECT_THROW(static_cast<void>(wear_path(cycles, PathPace::section, zones)), InputError);
+  EXPECT_THROW(static_cast<void>(wear_path(cycles, PathPace::section, zones)), std::logic_error);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "mill/base/failure.h"
 #include "mill/liner/profile_crossing.h"
@@ -104,7 +105,7 @@ TEST(ProfileMotion, RefusesWhatCannotBe) {
   const auto none = [](double) { return 0.0; };
   EXPECT_THROW(static_cast<void>(moved(ring, even, steel_area(ring))), ResultRejected);
   EXPECT_THROW(static_cast<void>(moved(ring, none, 1e-4)), ResultRejected);
-  EXPECT_THROW(static_cast<void>(moved(ring, even, -1e-4)), InputError);
+  EXPECT_THROW(static_cast<void>(moved(ring, even, -1e-4)), std::logic_error);
 }
 
 TEST(ProfileMotion, OfNothingIsTheSameProfile) {

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
-
-#include "mill/base/failure.h"
+#include <stdexcept>
 
 namespace millwear::wear {
 namespace {
@@ -114,10 +113,10 @@ TEST(Smoothing, OfNoLoadIsNoLoad) {
 }
 
 TEST(Smoothing, RefusesWhatDoesNotFit) {
-  EXPECT_THROW(static_cast<void>(smoothed(edges, truth, truth.head(50))), InputError);
-  EXPECT_THROW(static_cast<void>(smoothed(edges, -truth, truth)), InputError);
+  EXPECT_THROW(static_cast<void>(smoothed(edges, truth, truth.head(50))), std::logic_error);
+  EXPECT_THROW(static_cast<void>(smoothed(edges, -truth, truth)), std::logic_error);
   EXPECT_THROW(static_cast<void>(smoothed(edges.head(8), truth.head(7), truth.head(7))),
-               InputError);
+               std::logic_error);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <limits>
 #include <random>
+#include <stdexcept>
 
 #include "mill/base/failure.h"
 #include "tests/support/sample_measurement.h"
@@ -168,7 +169,7 @@ TEST(LoadAccumulator, LaysBinsAfterwards) {
   EXPECT_DOUBLE_EQ(
       bins.values[index_of(Measure::sliding_work)].row(3).sum(),
       accumulator.finish().load.values[index_of(Measure::sliding_work)].middleRows(24, 8).sum());
-  EXPECT_THROW(static_cast<void>(coarsened(bins, 7)), InputError);
+  EXPECT_THROW(static_cast<void>(coarsened(bins, 7)), std::logic_error);
 }
 
 TEST(LoadAccumulator, RanksAddUp) {

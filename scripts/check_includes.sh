@@ -32,8 +32,9 @@ recorder/record: mill wear recorder/liggghts recorder/options recorder/pairs
 recorder/run: mill recorder/liggghts recorder/options recorder/neighbours recorder/pairs recorder/record
 orchestrator/campaign: mill meshgen wear
 orchestrator/dem_run: mill liggghts_inputs wear orchestrator/campaign
-orchestrator/stages: mill wear orchestrator/campaign orchestrator/dem_run
-orchestrator/results: mill wear orchestrator/campaign orchestrator/dem_run
+orchestrator/loads: mill wear orchestrator/campaign
+orchestrator/stages: mill wear orchestrator/campaign orchestrator/dem_run orchestrator/loads
+orchestrator/results: mill wear orchestrator/campaign orchestrator/dem_run orchestrator/loads
 orchestrator/report: mill/base orchestrator/results
 orchestrator/gauge: mill meshgen wear orchestrator/results
 orchestrator/calibration: mill wear orchestrator/campaign orchestrator/dem_run orchestrator/results orchestrator/gauge

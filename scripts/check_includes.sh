@@ -35,8 +35,9 @@ recorder/run: mill recorder/liggghts recorder/options recorder/neighbours record
 orchestrator/process: mill/base
 orchestrator/campaign: mill meshgen wear
 orchestrator/dem_run: mill liggghts_inputs wear orchestrator/process orchestrator/campaign
-orchestrator/stages: mill wear orchestrator/campaign orchestrator/dem_run
-orchestrator/results: mill wear orchestrator/campaign orchestrator/dem_run
+orchestrator/loads: mill wear orchestrator/campaign
+orchestrator/stages: mill wear orchestrator/campaign orchestrator/dem_run orchestrator/loads
+orchestrator/results: mill wear orchestrator/campaign orchestrator/dem_run orchestrator/loads
 orchestrator/report: mill/base orchestrator/process orchestrator/results
 orchestrator/postprocess: mill meshgen liggghts_inputs/outputs wear orchestrator/process orchestrator/campaign orchestrator/dem_run
 orchestrator/gauge: mill meshgen wear orchestrator/results

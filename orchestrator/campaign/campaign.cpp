@@ -47,11 +47,6 @@ double milling_time_before(const Campaign& campaign, int cycle) {
   return time;
 }
 
-wear::TimedLoad timed_load(const Campaign& campaign, int cycle, double time,
-                           const wear::LoadRate& rate) {
-  return {time, dem_liner_of_cycle(campaign, cycle), rate.smoothed.rate, rate.by_block};
-}
-
 double share_of_life(const Case& mill, const LinerProfile& liner) {
   const auto gone = [](double now, double fresh, double limit) {
     return fresh > limit ? (fresh - now) / (fresh - limit) : 1.0;

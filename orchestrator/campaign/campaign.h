@@ -2,8 +2,6 @@
 #include "mill/case/case.h"
 #include "mill/liner/rotation.h"
 #include "orchestrator/campaign/run_folder.h"
-#include "wear/evolve/timed_load.h"
-#include "wear/rate/load_rate.h"
 
 namespace millwear::orchestrator {
 
@@ -30,10 +28,6 @@ struct Campaign {
 
 /// Time that the mill has milled when a cycle's load is measured, since its liner was new [s].
 [[nodiscard]] double milling_time_before(const Campaign& campaign, int cycle);
-
-/// The load of a cycle on its liner; `time` is when it was measured, `milling_time_before` [s].
-[[nodiscard]] wear::TimedLoad timed_load(const Campaign& campaign, int cycle, double time,
-                                         const wear::LoadRate& rate);
 
 /// Share of the way from the new lifter to its limit, 0 ... 1, that a liner has gone.
 [[nodiscard]] double share_of_life(const Case& mill, const LinerProfile& liner);

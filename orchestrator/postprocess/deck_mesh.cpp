@@ -6,8 +6,8 @@
 #include "meshgen/stl_file.h"
 #include "mill/base/failure.h"
 #include "mill/liner/mill_frame.h"
+#include "mill/load/load_measurement.h"
 #include "orchestrator/postprocess/deck_axes.h"
-#include "wear/record/load_measurement.h"
 #include "wear/record/profile_index.h"
 
 namespace millwear::orchestrator {
@@ -23,7 +23,7 @@ std::vector<meshgen::StlFacet> facets_of(const std::filesystem::path& file) {
 
 void check_on_liner(const Case& mill, const HandRun& run,
                     const std::vector<meshgen::StlFacet>& facets) {
-  const double limit = wear::load_measurement(mill, 1.0, 1.0, 0).contact_limit;
+  const double limit = load_measurement(mill, 1.0, 1.0, 0).contact_limit;
   const wear::ProfileIndex profile(mill.liner, 2.0 * limit);
   const Eigen::Matrix3d to_mill = axes_to_mill(run.turns_about, run.gravity);
   for (std::size_t i = 0; i < facets.size(); ++i)

@@ -22,12 +22,12 @@ liggghts::DumpFrame frame_of(const HandRun& run, const DumpOutline& outline) {
           .to_mill = axes_to_mill(run.turns_about, run.gravity)};
 }
 
-wear::LoadMeasurement measurement_of(const Case& mill, std::size_t triangles, const HandRun& run,
-                                     const DumpOutline& outline) {
+LoadMeasurement measurement_of(const Case& mill, std::size_t triangles, const HandRun& run,
+                               const DumpOutline& outline) {
   const long measured = outline.steps.back() - outline.steps.front();
   auto measurement =
-      wear::load_measurement(mill, run.time_step * static_cast<double>(measured),
-                             run.time_step * static_cast<double>(outline.sample_steps), triangles);
+      load_measurement(mill, run.time_step * static_cast<double>(measured),
+                       run.time_step * static_cast<double>(outline.sample_steps), triangles);
   measurement.particles = outline.largest_particle;
   return measurement;
 }

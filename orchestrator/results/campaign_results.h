@@ -6,11 +6,15 @@
 #include <vector>
 
 #include "mill/liner/liner_profile.h"
+#include "orchestrator/loads/hit_power.h"
+#include "orchestrator/loads/impacts.h"
+#include "orchestrator/loads/load_along_profile.h"
 #include "orchestrator/results/calibrated_course.h"
 #include "orchestrator/results/history.h"
 #include "orchestrator/results/profiles.h"
 #include "orchestrator/results/replicates.h"
 #include "wear/record/charge_motion.h"
+#include "wear/record/load_store.h"
 
 namespace millwear::orchestrator {
 
@@ -30,26 +34,6 @@ struct Life {
   std::string limit;  ///< what ends it, e.g. "lifter height 60 mm"
 };
 
-/// One measure along the profile, a value a bin. Any vector may be empty.
-struct LoadLine {
-  std::vector<double> raw;             ///< as accumulated
-  std::vector<double> standard_error;  ///< of `raw`, from the time blocks
-  std::vector<double> smoothed;
-  std::vector<double> smoothed_error;  ///< standard error of `smoothed`
-};
-
-/// The load of one cycle on the master lifter.
-struct LoadAlongProfile {
-  int cycle;
-  std::vector<double> arc_length;        ///< of bin centres from the trailing sector edge [m]
-  std::vector<double> width;             ///< of bins [m]
-  std::vector<Eigen::Vector2d> centres;  ///< of bins, master frame (xi, eta) [m]
-  LoadLine contacts;                     ///< contact samples per metre of profile [1/m]
-  LoadLine normal_dissipation;           ///< int Fn v_n dt per lifter surface and time [W/m2]
-  LoadLine sliding_work;                 ///< per lifter surface and time [W/m2]
-  LoadLine depth_rate;                   ///< wear depth per running time [m/s]
-};
-
 /// Power drawn during one measurement, a value a time block.
 struct PowerSeries {
   int cycle;
@@ -57,36 +41,11 @@ struct PowerSeries {
   std::vector<double> power;  ///< mean over the block, of the simulated slice [W]
 };
 
-/// How often collisions of one kind dissipate how much. Rates are per second of the simulated
-/// slice.
-struct ImpactLine {
-  std::string name;  ///< particle class, or pair of materials
-  std::vector<double>
-      normal;  ///< collisions by energy normal to the contact, an energy class each [1/s]
-  std::vector<double> shear;  ///< by energy along the contact [1/s]
-  double events_per_second;
-  double normal_power;      ///< dissipated in these collisions, normal to the contact [W]
-  double shear_power;       ///< along it [W]
-  double unfinished_share;  ///< of all collisions, not seen whole and in none of the above [-]
-  double impact_speed;      ///< root mean square [m/s]; NaN where it is not known
-};
-
-/// The collisions of one cycle.
-struct Impacts {
-  int cycle;
-  std::vector<ImpactLine> liner;      ///< a line a particle class
-  std::vector<ImpactLine> particles;  ///< a line a pair of materials; empty where not recorded
-};
-
-/// Arc of `MotionOfCycle::hit_power` [degrees].
-inline constexpr Eigen::Index hit_arc_degrees = 5;
-
 /// What the charge did in one cycle's measurement.
 struct MotionOfCycle {
   int cycle;
   wear::MotionMeasures measures;
-  std::vector<double> hit_power;  ///< of hits on the bare liner [W per degree], a value an arc from
-                                  ///< twelve o'clock along the rotation; empty where not recorded
+  std::vector<double> hit_power;  ///< see orchestrator/loads/hit_power.h
 };
 
 /// What one cycle took from the liner against what its load accounts for.
@@ -128,7 +87,9 @@ struct CampaignResults {
   std::vector<ProfileRow> profiles;
   std::vector<ReplicateRow> replicates{};  ///< a row for each of `history`
   std::vector<LoadAlongProfile> loads;
-  std::vector<double> energy_edges;  ///< of the classes of `impacts` [J]
+  std::vector<wear::PackedLoad> bins{};  ///< of `bins.h5`
+  std::string spectrum_lines{};          ///< of `spectra.csv`
+  std::vector<double> energy_edges;      ///< of the classes of `impacts` [J]
   std::vector<Impacts> impacts;
   std::vector<PowerSeries> power;
   std::vector<MotionOfCycle> motion{};

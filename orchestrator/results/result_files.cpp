@@ -10,13 +10,10 @@
 #include "mill/base/whole_file.h"
 #include "mill/case_file/case_lock.h"
 #include "orchestrator/campaign/stage_order.h"
+#include "orchestrator/loads/spectra.h"
 #include "orchestrator/results/history.h"
-#include "orchestrator/results/impacts.h"
 #include "orchestrator/results/profiles.h"
 #include "orchestrator/results/replicates.h"
-#include "wear/record/load_accumulator.h"
-#include "wear/record/load_read.h"
-#include "wear/record/load_store.h"
 #include "wear/record/load_write.h"
 
 namespace millwear::orchestrator {
@@ -84,29 +81,6 @@ std::string summary_json(const Campaign& campaign, const Ledger& ledger,
   return summary.dump(1) + "\n";
 }
 
-void publish_loads(const Campaign& campaign, const Ledger& ledger) {
-  std::vector<wear::StoredLoad> loads;
-  for (int cycle = 0; ledger.find({cycle, StageKind::wear}) != nullptr; ++cycle) {
-    const auto recorded =
-        wear::read_load(campaign.folder.stage({cycle, StageKind::dem}) / stage_files::load);
-    loads.push_back({cycle, wear::coarsened(recorded, wear::cells_per_bin)});
-  }
-  publish_written(campaign.folder.results() / "bins.h5",
-                  [&](const fs::path& beside) { wear::write_loads(beside, loads); });
-}
-
-void publish_spectra(const Campaign& campaign, const Ledger& ledger) {
-  const auto names = class_names(campaign.mill);
-  std::vector<SpectrumRow> rows;
-  for (int cycle = 0; ledger.find({cycle, StageKind::wear}) != nullptr; ++cycle) {
-    const auto recorded =
-        wear::read_record(campaign.folder.stage({cycle, StageKind::dem}) / stage_files::load);
-    const auto found = spectrum_rows(cycle, recorded, names);
-    rows.insert(rows.end(), found.begin(), found.end());
-  }
-  publish(campaign.folder.results() / "spectra.csv", spectra_csv(rows));
-}
-
 }  // namespace
 
 void publish_results(const Campaign& campaign, const Ledger& ledger, const CampaignResults& data) {
@@ -115,8 +89,9 @@ void publish_results(const Campaign& campaign, const Ledger& ledger, const Campa
   publish(folder / "history.csv", history_csv(data.history));
   publish(folder / "profiles.csv", profiles_csv(data.profiles));
   publish(folder / "replicates.csv", replicates_csv(data.replicates));
-  publish_loads(campaign, ledger);
-  publish_spectra(campaign, ledger);
+  publish_written(folder / "bins.h5",
+                  [&](const fs::path& beside) { wear::write_loads(beside, data.bins); });
+  publish(folder / "spectra.csv", spectra_head() + data.spectrum_lines);
   publish(folder / "summary.json", summary_json(campaign, ledger, data));
 }
 

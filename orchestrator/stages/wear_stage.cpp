@@ -9,9 +9,8 @@
 
 #include "mill/liner/profile_measures.h"
 #include "orchestrator/campaign/kept_cycle.h"
+#include "orchestrator/loads/cycle_load.h"
 #include "wear/evolve/evolution.h"
-#include "wear/rate/load_rate.h"
-#include "wear/record/load_read.h"
 
 namespace millwear::orchestrator {
 namespace {
@@ -32,10 +31,10 @@ Outcome outcome_from_end(wear::EvolutionEnd end, bool is_reversed) {
 
 constexpr int loads_that_count = 3;
 
-/// The loads of a cycle and of those before it that its wear depends on, and the newest as bins.
+/// The loads of a cycle and of those before it that its wear depends on, and the newest alone.
 struct LoadsOfCycle {
   std::vector<wear::TimedLoad> timed;
-  wear::LoadRate newest;
+  CycleLoad newest;
 };
 
 LoadsOfCycle loads_of_cycle(const Campaign& campaign, int cycle) {
@@ -45,11 +44,10 @@ LoadsOfCycle loads_of_cycle(const Campaign& campaign, int cycle) {
           : std::max(first_cycle_of_rotation(campaign, cycle), cycle + 1 - loads_that_count);
   std::vector<wear::TimedLoad> timed;
   for (int i = first;; ++i) {
-    const wear::LoadRate rate = wear::rate_of_load(
-        campaign.mill.wear, campaign.mill.charge.classes,
-        wear::read_load(campaign.folder.stage({i, StageKind::dem}) / stage_files::load));
-    timed.push_back(timed_load(campaign, i, milling_time_before(campaign, i), rate));
-    if (i == cycle) return {std::move(timed), rate};
+    CycleLoad load = load_of_cycle(campaign, i);
+    timed.push_back(
+        timed_load(milling_time_before(campaign, i), dem_liner_of_cycle(campaign, i), load));
+    if (i == cycle) return {std::move(timed), std::move(load)};
   }
 }
 
@@ -58,7 +56,6 @@ LoadsOfCycle loads_of_cycle(const Campaign& campaign, int cycle) {
 Outcome wear_stage(const Campaign& campaign, int cycle, const std::filesystem::path& into) {
   const auto& mill = campaign.mill;
   const LoadsOfCycle loads = loads_of_cycle(campaign, cycle);
-  const wear::LoadRate& rate = loads.newest;
   const auto& reversals = mill.campaign.reversal_times;
   const double begin = milling_time_before(campaign, cycle);
   const Rotation rotation = rotation_after(reversals, begin);
@@ -66,7 +63,7 @@ Outcome wear_stage(const Campaign& campaign, int cycle, const std::filesystem::p
       loads.timed, lifter_area(mill.liner), mill.campaign,
       time_to_reversal(reversals, begin).value_or(std::numeric_limits<double>::infinity()));
   double end = begin;
-  KeptCycle kept{rate.smoothed.moved_share, rate.raw.dot(rate.load.bin_widths()), {}};
+  KeptCycle kept{loads.newest.smoothed.moved_share, loads.newest.worn_by_load, {}};
   for (const auto& step : evolution.steps) {
     kept.steps.push_back({step.duration, step.removed_area, step.accounted_area, step.fallen_area,
                           as_turned(step.profile, rotation)});

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "mill/liner/profile_measures.h"
 
@@ -22,46 +23,56 @@ LinerBand band_after(const LinerReplicates& liners, double time) {
   band.section_error = root_mean_square(sections_ahead(liners));
   const Eigen::Index bins = liners.deeper.rows();
   band.depth_error = Eigen::VectorXd(bins);
-  for (Eigen::Index bin = 0; bin < bins; ++bin)
-    band.depth_error[bin] = root_mean_square(liners.deeper.row(bin));
+  for (Eigen::Index bin = 0; bin < bins; ++bin) {
+    const Eigen::VectorXd deeper = liners.deeper.row(bin);
+    band.depth_error[bin] = root_mean_square(deeper);
+  }
   return band;
 }
 
 /// Between a load before the cycle's own and one after it: from one to the next, noise would hide
 /// the change.
 double growth_in(std::span<const WornCycle> cycles, std::size_t cycle) {
-  constexpr std::size_t loads_aside = 2;
-  const std::size_t first = cycle - std::min(cycle, loads_aside);
-  const std::size_t last = std::min(cycle + 1 + loads_aside, cycles.size() - 1);
+  const std::size_t first = cycle - std::min(cycle, band_looks_aside_before);
+  const std::size_t last = std::min(cycle + band_looks_aside_after, cycles.size() - 1);
   return first < last ? growth_between(cycles[first].load, cycles[last].load) : 0.0;
 }
 
 }  // namespace
 
+CycleBand band_of_cycle(std::span<const WornCycle> cycles, std::size_t i,
+                        const LinerReplicates& before, Scheme scheme) {
+  const WornCycle& cycle = cycles[i];
+  const bool is_turned = i > 0 && cycle.rotation != cycles[i - 1].rotation;
+  const bool has_previous = i > 0 && !is_turned;
+  std::vector<TimedLoad> loads;
+  if (has_previous) loads.push_back(cycles[i - 1].load);
+  loads.push_back(cycle.load);
+  const UncertainLoad load{LoadInTime(in_use(loads, scheme)), cycle.deviations,
+                           has_previous ? cycles[i - 1].deviations : Eigen::MatrixXd(),
+                           growth_in(cycles, i)};
+  CycleBand band{{}, is_turned ? mirrored(before) : before};
+  double time = cycle.load.time;
+  for (const WornStep& step : cycle.steps) {
+    band.after = worn(band.after, load, time, step.duration, step.profile);
+    time += step.duration;
+    band.steps.push_back(band_after(band.after, time));
+  }
+  return band;
+}
+
+LinerReplicates first_replicates(const WornCycle& first) {
+  return same_liners(first.load.profile, first.deviations.rows(), first.deviations.cols());
+}
+
 std::vector<std::vector<LinerBand>> bands_of(std::span<const WornCycle> cycles, Scheme scheme) {
   std::vector<std::vector<LinerBand>> bands;
   if (cycles.empty()) return bands;
-  const WornCycle& first = cycles.front();
-  LinerReplicates liners =
-      same_liners(first.load.profile, first.deviations.rows(), first.deviations.cols());
-  std::vector<TimedLoad> loads;
+  LinerReplicates liners = first_replicates(cycles.front());
   for (std::size_t i = 0; i < cycles.size(); ++i) {
-    const WornCycle& cycle = cycles[i];
-    if (i > 0 && cycle.rotation != cycles[i - 1].rotation) {
-      liners = mirrored(liners);
-      loads.clear();
-    }
-    loads.push_back(cycle.load);
-    const UncertainLoad load{LoadInTime(in_use(loads, scheme)), cycle.deviations,
-                             loads.size() > 1 ? cycles[i - 1].deviations : Eigen::MatrixXd(),
-                             growth_in(cycles, i)};
-    double time = cycle.load.time;
-    bands.emplace_back();
-    for (const WornStep& step : cycle.steps) {
-      liners = worn(liners, load, time, step.duration, step.profile);
-      time += step.duration;
-      bands.back().push_back(band_after(liners, time));
-    }
+    CycleBand band = band_of_cycle(cycles, i, liners, scheme);
+    liners = std::move(band.after);
+    bands.push_back(std::move(band.steps));
   }
   return bands;
 }
@@ -75,8 +86,7 @@ Eigen::VectorXd lives_of(std::span<const WornCycle> cycles,
     if (cycles[i].steps.empty()) continue;
     last_load = cycles[i].load.time;
     if (course.empty()) {
-      const auto same = same_liners(cycles[i].load.profile, cycles[i].deviations.rows(),
-                                    cycles[i].deviations.cols());
+      const auto same = first_replicates(cycles[i]);
       course.push_back({last_load, lifter_heights(same), plate_thicknesses(same)});
     }
     for (const LinerBand& band : bands[i]) course.push_back(band.replicates);

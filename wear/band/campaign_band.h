@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -43,6 +44,25 @@ struct LinerBand {
 /// of the steps in time.
 [[nodiscard]] std::vector<std::vector<LinerBand>> bands_of(std::span<const WornCycle> cycles,
                                                            Scheme scheme);
+
+/// The band of a cycle of some that follow each other also looks at as many before and after it,
+/// where there are so many: at their loads, and of the one before at its deviations and rotation.
+inline constexpr std::size_t band_looks_aside_before = 2;
+inline constexpr std::size_t band_looks_aside_after = 3;
+
+/// A cycle's part of `bands_of`.
+struct CycleBand {
+  std::vector<LinerBand> steps;
+  LinerReplicates after;  ///< the liners after the cycle, as the DEM turns it
+};
+
+/// The band of cycle number `cycle` of `cycles`, to which the cycle before has left the replicates
+/// `before`. With what it looks at the same as by `bands_of`, bit for bit.
+[[nodiscard]] CycleBand band_of_cycle(std::span<const WornCycle> cycles, std::size_t cycle,
+                                      const LinerReplicates& before, Scheme scheme);
+
+/// The replicates that the first cycle of a campaign begins with: its liner.
+[[nodiscard]] LinerReplicates first_replicates(const WornCycle& first);
 
 /// Lives of the replicates [s], see `lives`; empty for a campaign without a step.
 [[nodiscard]] Eigen::VectorXd lives_of(std::span<const WornCycle> cycles,

@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "mill/base/failure.h"
-#include "orchestrator/results/spectra.h"
+#include "orchestrator/loads/spectra.h"
 
 namespace millwear::orchestrator {
 namespace {

@@ -1,4 +1,4 @@
-#include "orchestrator/results/impacts.h"
+#include "orchestrator/loads/impacts.h"
 
 #include <fmt/format.h>
 

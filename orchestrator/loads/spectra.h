@@ -21,6 +21,10 @@ struct SpectrumRow {
   double power;              ///< that they dissipate in this direction [W]
 };
 
+/// Lines of `spectra.csv`, and its first two.
+[[nodiscard]] std::string spectrum_lines(const std::vector<SpectrumRow>& rows);
+[[nodiscard]] std::string spectra_head();
+
 /// The bytes of `spectra.csv`; the same rows always give the same bytes.
 [[nodiscard]] std::string spectra_csv(const std::vector<SpectrumRow>& rows);
 

@@ -1,4 +1,4 @@
-#include "orchestrator/results/spectra.h"
+#include "orchestrator/loads/spectra.h"
 
 #include <fmt/format.h>
 
@@ -18,8 +18,14 @@ constexpr std::array<std::string_view, 2> direction_names{"normal", "shear"};
 
 }  // namespace
 
+std::string spectra_head() { return csv_head(format); }
+
 std::string spectra_csv(const std::vector<SpectrumRow>& rows) {
-  std::string text = csv_head(format);
+  return spectra_head() + spectrum_lines(rows);
+}
+
+std::string spectrum_lines(const std::vector<SpectrumRow>& rows) {
+  std::string text;
   for (const auto& row : rows)
     text += fmt::format("{},{},{},{},{},{},{},{},{}\n", row.cycle,
                         contact_names[static_cast<std::size_t>(row.contact)], row.class_a,

@@ -1,0 +1,52 @@
+#include "orchestrator/loads/load_along_profile.h"
+
+#include "wear/numerics/block_means.h"
+#include "wear/numerics/block_persistence.h"
+#include "wear/rate/smoothing_error.h"
+
+namespace millwear::orchestrator {
+namespace {
+
+std::vector<double> as_vector(const Eigen::VectorXd& values) {
+  return {values.begin(), values.end()};
+}
+
+/// One measure of the load per surface of one lifter and per second, smoothed like the loss.
+LoadLine rate_line(const WallLoad& load, Measure measure, const Eigen::ArrayXd& divisor,
+                   const wear::Smoothing& how) {
+  const Eigen::MatrixXd by_block = load.by_block(measure);
+  const Eigen::VectorXd raw = load.total(measure).array() / divisor;
+  const Eigen::MatrixXd block_rates = wear::as_independent(
+      (by_block.array().colwise() / divisor).matrix() * static_cast<double>(load.block_count));
+  const Eigen::VectorXd positive = raw.cwiseMax(0.0);
+  LoadLine line{
+      as_vector(raw), as_vector(wear::error_of_mean(block_rates)), as_vector(positive), {}};
+  if (!(positive.sum() > 0.0)) return line;
+  const auto smooth = wear::smoothed(load.bin_edges, positive, block_rates, how);
+  line.smoothed = as_vector(smooth.rate.values);
+  line.smoothed_error = as_vector(wear::standard_error(smooth));
+  return line;
+}
+
+}  // namespace
+
+LoadAlongProfile load_along_profile(const Case& mill, int cycle, const wear::LoadRate& rate) {
+  const auto& load = rate.load;
+  const Eigen::VectorXd widths = load.bin_widths();
+  const auto how = wear::smoothing_of(mill.wear, mill.charge.classes);
+  const Eigen::ArrayXd surface_time =
+      load.bin_area().array() * static_cast<double>(load.rows) * load.duration;
+  return {cycle,
+          as_vector(load.bin_edges.head(load.bins()) + 0.5 * widths),
+          as_vector(widths),
+          {},
+          rate_line(load, Measure::samples, widths.array(), how),
+          rate_line(load, Measure::normal_dissipation, surface_time, how),
+          rate_line(load, Measure::sliding_work, surface_time, how),
+          {as_vector(rate.raw),
+           {},
+           as_vector(rate.smoothed.rate.values),
+           as_vector(wear::standard_error(rate.smoothed))}};
+}
+
+}  // namespace millwear::orchestrator

@@ -1,0 +1,280 @@
+#include "orchestrator/results/cycle_results.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mill/liner/profile_measures.h"
+#include "orchestrator/campaign/kept_cycle.h"
+#include "orchestrator/dem_run/measured.h"
+#include "orchestrator/dem_run/mixing.h"
+#include "orchestrator/loads/kept_file.h"
+#include "wear/band/campaign_band.h"
+#include "wear/numerics/arc_curve.h"
+#include "wear/numerics/block_means.h"
+#include "wear/numerics/random_stream.h"
+#include "wear/rate/smoothing_error.h"
+
+namespace millwear::orchestrator {
+
+template <>
+struct Fields<LinerProfile> {
+  using T = LinerProfile;
+  static constexpr auto all = std::tuple(&T::sector, &T::nodes);
+};
+
+template <>
+struct Fields<wear::LinerReplicates> {
+  using T = wear::LinerReplicates;
+  static constexpr auto all = std::tuple(&T::profile, &T::deeper);
+};
+
+template <>
+struct Fields<ProfileRow> {
+  using T = ProfileRow;
+  static constexpr auto all =
+      std::tuple(&T::cycle, &T::step, &T::operating_hours, &T::nodes, &T::depth_error);
+};
+
+template <>
+struct Fields<ReplicateRow> {
+  using T = ReplicateRow;
+  static constexpr auto all =
+      std::tuple(&T::cycle, &T::step, &T::operating_hours, &T::heights, &T::plates);
+};
+
+template <>
+struct Fields<Conservation> {
+  using T = Conservation;
+  static constexpr auto all =
+      std::tuple(&T::cycle, &T::removed, &T::accounted, &T::moved_by_smoothing, &T::rejected,
+                 &T::revolutions, &T::peak_error, &T::path_over_slip, &T::end);
+};
+
+template <>
+struct Fields<PowerSeries> {
+  using T = PowerSeries;
+  static constexpr auto all = std::tuple(&T::cycle, &T::time, &T::power);
+};
+
+template <>
+struct Fields<CampaignMoment> {
+  using T = CampaignMoment;
+  static constexpr auto all = std::tuple(&T::time, &T::hours, &T::liner);
+};
+
+template <>
+struct Fields<CycleResults> {
+  using T = CycleResults;
+  static constexpr auto all = std::tuple(
+      &T::load_time, &T::rotation, &T::history, &T::profiles, &T::replicates, &T::step_durations,
+      &T::conservation, &T::power, &T::motion, &T::warning, &T::liners_after, &T::after);
+};
+
+namespace {
+
+constexpr Eigen::Index replicates = 200;
+constexpr double seconds_per_hour = 3600.0;
+constexpr double kilograms_per_tonne = 1000.0;
+
+std::vector<double> as_vector(const Eigen::VectorXd& values) {
+  return {values.begin(), values.end()};
+}
+
+HistoryRow row_of(const Case& mill, const LinerProfile& liner, const Measured& measured, int cycle,
+                  int step, double hours, Rotation rotation) {
+  const auto& fresh = mill.liner;
+  const auto feed = mill.feed_rate;
+  return {.cycle = cycle,
+          .step = step,
+          .operating_hours = hours,
+          .tonnes = feed ? *feed * hours * seconds_per_hour / kilograms_per_tonne : std::nan(""),
+          .lifter_height = lifter_height(liner),
+          .face_angle = leading_face_angle(as_turned(liner, rotation)),
+          .plate_thickness = plate_thickness(liner),
+          .worn_volume = steel_area(fresh) - steel_area(liner),
+          .worn_fraction = 1.0 - lifter_area(liner) / lifter_area(fresh),
+          .power = measured.power,
+          .shoulder = measured.charge.shoulder,
+          .toe = measured.charge.toe,
+          .power_error = measured.power_error,
+          .shoulder_error = measured.charge.shoulder_error,
+          .toe_error = measured.charge.toe_error,
+          .lifter_height_error = 0.0,
+          .plate_thickness_error = 0.0,
+          .worn_volume_error = 0.0,
+          .airborne_share = measured.motion.airborne_share.value,
+          .airborne_share_error = measured.motion.airborne_share.error,
+          .bare_hit_power = measured.motion.bare_hit_power.value,
+          .bare_hit_power_error = measured.motion.bare_hit_power.error,
+          .dead_zone_share = measured.motion.dead_zone_share.value,
+          .dead_zone_share_error = measured.motion.dead_zone_share.error,
+          .between_locked_share = measured.motion.between_locked_share.value,
+          .between_locked_share_error = measured.motion.between_locked_share.error};
+}
+
+/// What to keep in mind of the charge a cycle began with, where it was mixed anew.
+std::optional<std::string> mixing_warning(const Campaign& campaign, const Ledger& ledger,
+                                          int cycle) {
+  const StageId stage{cycle, StageKind::mix};
+  if (!campaign.mill.dem.mix_until_steady || ledger.find(stage) == nullptr) return std::nullopt;
+  const auto record = read_mixing(campaign.mill, campaign.folder.stage(stage));
+  if (mixing_state(record.plan, record.pieces) == MixingState::steady) return std::nullopt;
+  return fmt::format("cycle {}: {}; raise `mix_revolutions`", cycle, spoken_mixing(record));
+}
+
+/// A value of even bins along a profile at each of its nodes.
+std::vector<double> at_nodes(const LinerProfile& profile, const Eigen::VectorXd& by_bin) {
+  const auto lengths = arc_lengths(profile);
+  const wear::ArcCurve curve{Eigen::VectorXd::LinSpaced(by_bin.size() + 1, 0.0, lengths.back()),
+                             by_bin};
+  std::vector<double> values;
+  for (const double arc_length : lengths) values.push_back(curve.at(arc_length));
+  return values;
+}
+
+/// A cycle without its band: rows of the history with no errors, profiles with none.
+CycleResults without_band(const Campaign& campaign, const Ledger& ledger, int cycle,
+                          const CycleLoad& load, const CampaignMoment& before) {
+  const auto& mill = campaign.mill;
+  const auto& reversals = mill.campaign.reversal_times;
+  const auto measured =
+      read_measured(campaign.folder.stage({cycle, StageKind::dem}) / stage_files::measured);
+  const auto kept = read_cycle(campaign.folder.stage({cycle, StageKind::wear}) / stage_files::steps,
+                               mill.liner.sector);
+  CycleResults results{
+      .load_time = before.time,
+      .rotation = reversals.empty() ? Rotation::as_new : rotation_after(reversals, before.time),
+      .history = {},
+      .profiles = {},
+      .replicates = {},
+      .step_durations = {},
+      .conservation = {cycle, 0.0, 0.0, kept.smoothing_moved_share, measured.rejected_share,
+                       measured.revolutions, measured.peak_error, load.path_over_slip,
+                       std::string(name_of(end_of(measured)))},
+      .power = {cycle, as_vector(wear::block_means(measured.power_times, load.block_count)),
+                as_vector(wear::block_means(measured.power_series, load.block_count))},
+      .motion = measured.motion,
+      .warning = mixing_warning(campaign, ledger, cycle),
+      .liners_after = {},
+      .after = before};
+  if (cycle == 0) {
+    results.history.push_back(row_of(mill, mill.liner, measured, 0, 0, 0.0, Rotation::as_new));
+    results.profiles.push_back(
+        {0, 0, 0.0, mill.liner.nodes, std::vector<double>(mill.liner.nodes.size(), 0.0)});
+    results.replicates.push_back(
+        {0, 0, 0.0, Eigen::VectorXd::Constant(replicates, lifter_height(mill.liner)),
+         Eigen::VectorXd::Constant(replicates, plate_thickness(mill.liner))});
+  }
+  auto& [time, hours, liner] = results.after;
+  for (const auto& step : kept.steps) {
+    const int number = static_cast<int>(results.step_durations.size()) + 1;
+    time += step.duration;
+    hours += step.duration / seconds_per_hour;
+    liner = step.profile;
+    results.step_durations.push_back(step.duration);
+    results.history.push_back(
+        row_of(mill, liner, measured, cycle, number, hours, results.rotation));
+    results.profiles.push_back({cycle, number, hours, liner.nodes, {}});
+    results.conservation.removed += step.removed_area;
+    results.conservation.accounted += step.accounted_area + step.fallen_area;
+  }
+  return results;
+}
+
+/// The liner of a cycle in the DEM's frame.
+LinerProfile dem_liner(const CycleResults& cycle, const LinerProfile& liner) {
+  return as_turned(liner, cycle.rotation);
+}
+
+/// The rows of a cycle's steps, without the new liner.
+std::size_t first_step_row(const CycleResults& cycle) {
+  return cycle.history.size() - cycle.step_durations.size();
+}
+
+/// A cycle's load with replicates of what is not known of it, and the steps that were taken on it.
+wear::WornCycle worn_cycle(const Case& mill, int number, const CycleResults& cycle,
+                           const LinerProfile& liner, const CycleLoad& load) {
+  const auto seed = wear::random_bits(mill.dem.seed, static_cast<std::uint64_t>(number));
+  wear::WornCycle worn{timed_load(cycle.load_time, dem_liner(cycle, liner), load),
+                       wear::rate_replicates(load.smoothed, replicates, seed),
+                       {},
+                       cycle.rotation};
+  for (std::size_t i = 0; i < cycle.step_durations.size(); ++i) {
+    const LinerProfile after{mill.liner.sector, cycle.profiles[first_step_row(cycle) + i].nodes};
+    worn.steps.push_back({cycle.step_durations[i], dem_liner(cycle, after)});
+  }
+  return worn;
+}
+
+void add_band(const wear::CycleBand& band, const wear::WornCycle& worn, CycleResults& results) {
+  const std::size_t first = first_step_row(results);
+  for (std::size_t step = 0; step < band.steps.size(); ++step) {
+    const auto& after = band.steps[step];
+    auto& history = results.history.at(first + step);
+    history.lifter_height_error = after.height_error;
+    history.plate_thickness_error = after.plate_error;
+    history.worn_volume_error = after.section_error;
+    results.replicates.push_back({history.cycle, history.step, history.operating_hours,
+                                  after.replicates.heights, after.replicates.plates});
+    results.profiles.at(first + step).depth_error =
+        as_turned(at_nodes(worn.steps[step].profile, after.depth_error), results.rotation);
+  }
+  results.liners_after = band.after;
+}
+
+/// For every cycle the key of what all cycles up to it left.
+std::vector<std::string> keys_of(const Case& mill, const Ledger& ledger, std::size_t cycles) {
+  std::vector<std::string> outputs(cycles);
+  for (const auto& entry : ledger.entries)
+    if (static_cast<std::size_t>(entry.stage.cycle) < cycles)
+      for (const auto& [name, hash] : entry.outputs)
+        outputs[static_cast<std::size_t>(entry.stage.cycle)] +=
+            fmt::format("{} {} {}\n", name_of(entry.stage), name, hash);
+  std::vector<std::string> keys;
+  std::string before = kept_key(mill, "results of cycles");
+  for (const auto& of_cycle : outputs) {
+    before = hash_of_text(before + of_cycle);
+    keys.push_back(before);
+  }
+  return keys;
+}
+
+}  // namespace
+
+std::vector<CycleResults> results_of_cycles(const Campaign& campaign, const Ledger& ledger,
+                                            const std::vector<CycleLoad>& loads) {
+  constexpr std::size_t ahead = wear::band_looks_aside_after;
+  constexpr std::size_t behind = wear::band_looks_aside_before;
+  const auto& mill = campaign.mill;
+  const auto keys = keys_of(mill, ledger, loads.size());
+  const auto file = [&](std::size_t cycle) {
+    return kept_file(campaign.folder, static_cast<int>(cycle), "results");
+  };
+  std::vector<CycleResults> results;
+  while (results.size() + ahead < loads.size()) {
+    auto kept = kept_value<CycleResults>(file(results.size()), keys[results.size() + ahead]);
+    if (!kept) break;
+    results.push_back(std::move(*kept));
+  }
+  const std::size_t first = results.size();
+  const std::size_t from = first - std::min(first, behind);
+  std::vector<wear::WornCycle> worn;  // from cycle `from` on
+  for (std::size_t i = from; i < loads.size(); ++i) {
+    const auto before = i > 0 ? results[i - 1].after : CampaignMoment{0.0, 0.0, mill.liner};
+    const int number = static_cast<int>(i);
+    if (i >= first) results.push_back(without_band(campaign, ledger, number, loads[i], before));
+    worn.push_back(worn_cycle(mill, number, results[i], before.liner, loads[i]));
+  }
+  for (std::size_t i = first; i < loads.size(); ++i) {
+    const auto band = wear::band_of_cycle(
+        worn, i - from, i > 0 ? results[i - 1].liners_after : wear::first_replicates(worn.front()),
+        mill.campaign.scheme);
+    add_band(band, worn[i - from], results[i]);
+    if (i + ahead < loads.size()) keep(file(i), keys[i + ahead], packed_bytes(results[i]));
+  }
+  return results;
+}
+
+}  // namespace millwear::orchestrator

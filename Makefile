@@ -16,13 +16,13 @@ build: ## Install what is missing and build build/release/millwear
 	@rm -f build-release.log
 	@cmake --build --preset release
 
-demo: build ## Wear the pilot mill's liner from new to its limit, and say where the report lies
+demo: build ## Simulate the pilot mill's liner from new to worn out, and print the report's path
 	@$(PROGRAM) run $(DEMO_CASE) --out $(DEMO_RUN)
 
-seed: build ## Wear the 8 m mill's liner from new to its limit; the same command resumes it
+seed: build ## Simulate the 8 m mill's liner from new to worn out; the same command resumes it
 	@$(PROGRAM) run cases/$(SEED)/case.toml --out runs/$(SEED)
 
-seed-check: build ## Hold the 8 m mill's finished campaign against its published gauge readings
+seed-check: build ## Compare the 8 m mill's kept campaign with its published gauge readings
 	@$(PROGRAM) compare cases/$(SEED)/case.toml --out cases/$(SEED)/reference --calibrate-until 5112
 
 test: ## Install what is missing, build with warnings as errors and run every test

@@ -4,7 +4,7 @@
 #   - every code block says what it holds, and commands stand in ```sh blocks, which run_commands.sh runs;
 #   - every verb and option of millwear that a page names is in `millwear VERB --help`;
 #   - every key in a ```toml block is in docs/case_file.md;
-#   - docs/commands.md is what scripts/print_commands.sh prints.
+#   - docs/commands.md is what scripts/print_commands.sh prints, and CONTRIBUTING.md has every sub-room.
 #
 #   tests/docs/check_pages.sh PROGRAM [PAGE...]     from the root of the sources
 set -eu
@@ -123,6 +123,10 @@ done
 
 scripts/print_commands.sh "$program" | cmp -s - docs/commands.md ||
   fault "docs/commands.md is out of date; scripts/print_commands.sh $program > docs/commands.md"
+for place in mill/* liggghts_inputs/* wear/* recorder/* orchestrator/*; do
+  [ -d "$place" ] && [ "$(basename "$place")" != bench ] || continue
+  grep -q "^| \`$place\` |" CONTRIBUTING.md || fault "CONTRIBUTING.md has no line for the room $place"
+done
 grep -rnoE 'docs/[a-z_]+\.(md|png)' Makefile CMakeLists.txt scripts mill meshgen liggghts_inputs wear recorder \
   orchestrator cases --include='*' | while IFS=: read -r source line page; do
   [ -e "$page" ] || echo "$source:$line: there is no $page"

@@ -11,6 +11,8 @@
 #   scripts/...           the script exists and is valid shell
 #
 #   tests/docs/run_commands.sh FOLDER_OF_PROGRAMS [PAGE...]     from the root of the sources
+#
+# SHOW=yes prints what every command prints; PREPARE=no leaves out all but the program.
 set -eu
 programs=$(cd "$1" && pwd)
 shift
@@ -34,6 +36,7 @@ prepare() {
   cd "$work/tree"
   ln -s "$programs/millwear" "$programs/millwear-recorder" build/release/
   PATH=$work/tree/build/release:$PATH
+  [ "${PREPARE:-yes}" = yes ] || { cd "$sources"; return; }
   cp -r "$sources/cases" .
   cp "$tests/small_mill.toml" my_mill.toml
   sed -e 's/"my_mill"/"pilot_mill"/; s/^cycle_limit.*/cycle_limit = 2/' my_mill.toml >cases/pilot_mill/case.toml

@@ -1,5 +1,5 @@
 # millwear from the shell. `make help` says what there is.
-.PHONY: all build demo seed seed-check test unit check-style bench install clean help
+.PHONY: all build demo seed seed-check test unit sanitize check-style bench install clean help
 
 PROGRAM := build/release/millwear
 DEMO_CASE := cases/pilot_mill/case.toml
@@ -37,6 +37,12 @@ unit: ## Only the tests that need neither LIGGGHTS nor a browser
 	@cmake --preset ci >/dev/null
 	@cmake --build --preset ci
 	@$(CTEST) -LE 'needs_liggghts|needs_chromium'
+
+sanitize: ## Unit tests under address and undefined-behaviour sanitizers; no two types of one name
+	@scripts/install_packages.sh test
+	@cmake --preset sanitize >/dev/null
+	@cmake --build --preset sanitize --target one_definition unit_tests
+	@ctest --preset sanitize --no-tests=error -L '^unit$$'
 
 bench: ## Time the contact reader and a geometry step
 	@cmake --preset release -DMILLWEAR_TESTS=ON >/dev/null

@@ -2,7 +2,7 @@
 # Runs every command of the pages (the lines of their ```sh blocks) and names the page and line of each
 # that fails. A page's commands run in order, in a folder of the page's own, which holds what the pages
 # speak of: `build/release/millwear`, `cases/`, `my_mill.toml` with its finished campaign in
-# `runs/my_mill`, gauge readings, a scan, a drawing. The mill is tests/docs/small_mill.toml, whose campaign
+# `runs/my_mill`, gauge readings, a scan, a drawing, dumps of a run of the user's own. The mill is tests/docs/small_mill.toml, whose campaign
 # takes seconds; cases/pilot_mill has it too, for two cycles.
 #
 # Some commands are only looked up, because they build this very tree, or take minutes to hours:
@@ -28,6 +28,21 @@ profile_of() {
   echo "# millwear profile 1"
   echo "xi_m,eta_m"
   awk -F, -v step="$1" '$1 "/" $2 == step { print $5 "," $6 }' runs/my_mill/results/profiles.csv
+}
+
+# The dumps of a LIGGGHTS run of the user's own: the deck lines of docs/how_to_postprocess.md, in its
+# ```text blocks, behind the deck that fills the small mill; with fewer steps and its radius.
+own_dumps() {
+  awk '/^```/ { inside = !inside; deck = 0; next }
+    inside && !deck && /^(compute|run) / { deck = 1 } inside && deck' "$sources/docs/how_to_postprocess.md" |
+    sed 's/^run  *50000/run 2000/; s/^run  *200000/run 10000/; s/cylinder y 0 0 0.42/cylinder y 0 0 0.1/' >own_lines
+  millwear deck --quiet my_mill.toml --out own
+  mix=own/cycle_000/mix
+  sed -i 's/^timestep .*/timestep 2e-5/' $mix/contact_model.in
+  awk '/^run / { while ((getline line < "own_lines") > 0) print line; next } { print }' $mix/deck.in >$mix/own.in
+  (cd $mix && liggghts -in own.in >/dev/null)
+  mv $mix/contacts.dump $mix/particles.dump .
+  rm -r own own_lines
 }
 
 # What the pages speak of, once; every page gets a copy.
@@ -57,6 +72,8 @@ prepare() {
   millwear mesh --quiet my_mill.toml --profile worn.csv --out drawn
   mv drawn/profile.dxf drawing.dxf
   rm -r drawn
+
+  [ ! -f "$sources/docs/how_to_postprocess.md" ] || own_dumps
 
   mkdir gauge
   cat >gauge/gauge_readings.csv <<'END'
@@ -104,7 +121,7 @@ for page in "$@"; do
         continue
         ;;
     esac
-    [ $prepared = yes ] || { prepare; prepared=yes; }
+    [ $prepared = yes ] || { prepare >/dev/null; prepared=yes; }
     if [ ! -d "$work/page" ]; then
       cp -r "$work/tree" "$work/page"
       # These two make my_mill.toml themselves.

@@ -73,6 +73,7 @@ class SnapshotReader {
   std::size_t rows_left_ = 0;
   int box_lines_left_ = 0;
   long line_ = 0;
+  bool is_after_the_first_ = false;
 };
 
 }  // namespace millwear::liggghts

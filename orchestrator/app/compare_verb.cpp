@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
+#include "mill/base/constants.h"
 #include "mill/base/failure.h"
 #include "mill/base/number_or_null.h"
 #include "mill/base/published_file.h"
@@ -26,7 +26,6 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 using wear::ProfileDifference;
 
-constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
 constexpr double square_centimetres = 1e4;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
-#include <numbers>
 
+#include "mill/base/constants.h"
 #include "mill/base/failure.h"
 #include "mill/base/number_or_null.h"
 #include "mill/case_file/case_file.h"
@@ -16,7 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
 constexpr double metres_per_millimetre = 1e-3;
 
 [[noreturn]] void wrong_usage(const std::string& what) { throw Failure(ExitCode::usage, what); }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "mill/base/constants.h"
 #include "mill/case/time_step.h"
 #include "mill/case_file/case_warnings.h"
 #include "mill/liner/profile_measures.h"
@@ -25,9 +26,6 @@
 
 namespace millwear::orchestrator {
 namespace {
-
-constexpr double seconds_per_hour = 3600.0;
-constexpr double kilograms_per_tonne = 1000.0;
 
 std::vector<double> as_vector(const Eigen::VectorXd& values) {
   return {values.begin(), values.end()};
@@ -199,7 +197,6 @@ std::string spoken_reductions(const Case& mill) {
 
 std::vector<LabelledValue> description_of(const Case& mill) {
   const auto& sector = mill.liner.sector;
-  const double degree = std::numbers::pi / 180.0;
   const auto plan = plan_steps(mill);
   return {{"Mill", fmt::format("{:g} m inside the shell, {} lifters, slice of {:g} m",
                                2.0 * sector.shell_radius, sector.rows, mill.slice_length)},
@@ -209,9 +206,9 @@ std::vector<LabelledValue> description_of(const Case& mill) {
           {"Rotation", spoken_rotation(mill)},
           {"Charge", fmt::format("{} particles, filling {:.1f} %", totals(mill).particles,
                                  100.0 * computed_filling(mill))},
-          {"New lifter",
-           fmt::format("{:.0f} mm high, leading face {:.0f}° off upright",
-                       1e3 * lifter_height(mill.liner), leading_face_angle(mill.liner) / degree)},
+          {"New lifter", fmt::format("{:.0f} mm high, leading face {:.0f}° off upright",
+                                     1e3 * lifter_height(mill.liner),
+                                     leading_face_angle(mill.liner) / radians_per_degree)},
           {"Wear law", spoken(mill.wear.mechanisms, mill.materials)},
           {"DEM", fmt::format("time step {:.3g} s, {} steps a revolution, moduli divided by {}",
                               plan.time_step, plan.steps_per_revolution(sector.rows),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mill/base/constants.h"
 #include "mill/liner/profile_measures.h"
 #include "orchestrator/campaign/kept_cycle.h"
 #include "wear/numerics/arc_curve.h"
@@ -13,7 +14,6 @@ namespace millwear::orchestrator {
 namespace {
 
 constexpr Eigen::Index replicates = 200;
-constexpr double seconds_per_hour = 3600.0;
 
 /// A value of even bins along a profile at each of its nodes.
 std::vector<double> at_nodes(const LinerProfile& profile, const Eigen::VectorXd& by_bin) {

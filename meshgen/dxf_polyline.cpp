@@ -8,12 +8,12 @@
 #include <memory>
 #include <numbers>
 
+#include "mill/base/constants.h"
 #include "mill/base/failure.h"
 
 namespace millwear::meshgen {
 namespace {
 
-constexpr double millimetres_per_metre = 1000.0;
 constexpr int insert_units_millimetres = 4;
 
 void write_tables(DL_Dxf& dxf, DL_WriterA& writer, const std::string& layer) {

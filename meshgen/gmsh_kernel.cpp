@@ -13,13 +13,13 @@
 #include <string>
 #include <unordered_map>
 
+#include "mill/base/constants.h"
 #include "mill/base/failure.h"
 
 namespace millwear::meshgen {
 namespace {
 
 constexpr int triangle_type = 2;
-constexpr double millimetres_per_metre = 1000.0;
 
 class GmshSession {
  public:

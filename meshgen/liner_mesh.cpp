@@ -7,6 +7,7 @@
 
 #include "meshgen/facet_outline.h"
 #include "meshgen/gmsh_kernel.h"
+#include "mill/base/constants.h"
 #include "mill/base/contract.h"
 #include "mill/base/failure.h"
 #include "mill/liner/mill_frame.h"
@@ -39,7 +40,7 @@ int layers_for(const std::vector<Eigen::Vector2d>& outline, double slice_length,
                     "takes {:.0f} "
                     "layers to keep its triangles above {:.2g} degrees (the limit is {}); raise "
                     "`dem.mesh_tolerance` or smooth the profile",
-                    shortest, slice_length, layers, settings.smallest_angle * 180.0 / M_PI,
+                    shortest, slice_length, layers, settings.smallest_angle * degrees_per_radian,
                     settings.most_layers));
   }
   return static_cast<int>(layers);

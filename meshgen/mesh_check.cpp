@@ -9,6 +9,7 @@
 #include <map>
 #include <utility>
 
+#include "mill/base/constants.h"
 #include "mill/base/failure.h"
 #include "mill/liner/mill_frame.h"
 
@@ -161,8 +162,6 @@ double largest_deviation(const LinerMesh& mesh, const LinerProfile& profile) {
   return largest;
 }
 
-constexpr double degrees(double radians) { return radians * 180.0 / M_PI; }
-
 }  // namespace
 
 MeshReport check_mesh(const LinerMesh& mesh, const LinerProfile& profile,
@@ -173,7 +172,7 @@ MeshReport check_mesh(const LinerMesh& mesh, const LinerProfile& profile,
     if (!(angle >= settings.smallest_angle * (1.0 - rounding))) {
       throw ResultRejected(
           fmt::format("liner mesh: triangle {} has an angle of {:.3g} degrees; the limit is {:.3g}",
-                      i, degrees(angle), degrees(settings.smallest_angle)));
+                      i, angle * degrees_per_radian, settings.smallest_angle * degrees_per_radian));
     }
     report.smallest_angle = std::min(report.smallest_angle, angle);
     report.area += area_vector(mesh, mesh.triangles[i]).norm();

@@ -28,7 +28,7 @@ struct StretchSteps {
   [[nodiscard]] long most_total() const {
     return settle_steps + std::max(measure_steps, most_measure_steps);
   }
-  [[nodiscard]] double measure_time() const;     ///< [s]
+  [[nodiscard]] double measure_time() const;  ///< [s]
   /// Steps in (settle, total] that are sampled: every `sample_steps` after settling, and the last.
   [[nodiscard]] long samples() const;
   [[nodiscard]] double sample_interval() const;  ///< [s]

@@ -7,14 +7,12 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
-#include <numbers>
 
+#include "mill/base/constants.h"
 #include "mill/base/failure.h"
 
 namespace millwear {
 namespace {
-
-constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
 
 [[noreturn]] void reject(const std::filesystem::path& path, int line, const std::string& what) {
   throw ResultRejected(fmt::format("{}:{}: {}", path.string(), line, what));

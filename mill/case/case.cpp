@@ -6,15 +6,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "mill/base/constants.h"
 #include "mill/base/failure.h"
 #include "mill/liner/profile_measures.h"
 
 namespace millwear {
-namespace {
-
-constexpr double gravity = 9.81;  // [m/s2]
-
-}  // namespace
 
 const MaterialPair& pair_of(const Case& mill, std::size_t a, std::size_t b) {
   const auto found =
@@ -59,7 +55,7 @@ double critical_speed_fraction(const Case& mill) {
 }
 
 double critical_speed(const LinerSector& sector, double largest) {
-  return std::sqrt(gravity / (sector.plate_radius - 0.5 * largest));
+  return std::sqrt(standard_gravity / (sector.plate_radius - 0.5 * largest));
 }
 
 double modulus_reduction(const Case& mill, std::size_t material) {

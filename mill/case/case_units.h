@@ -1,6 +1,8 @@
 #pragma once
 #include <numbers>
 
+#include "mill/base/constants.h"
+
 namespace millwear {
 
 /// Units of the case file that are not SI, each in one place for reading and for the locked copy.
@@ -11,19 +13,21 @@ namespace millwear {
 [[nodiscard]] inline double speed_from_rpm(double rpm) { return rpm * (std::numbers::pi / 30.0); }
 
 /// [t/h] to [kg/s]
-[[nodiscard]] inline double feed_from_t_per_h(double feed) { return feed * (1000.0 / 3600.0); }
+[[nodiscard]] inline double feed_from_t_per_h(double feed) {
+  return feed * (kilograms_per_tonne / seconds_per_hour);
+}
 
 /// [m/year] to [m/s], of years of 365.25 days
 [[nodiscard]] inline double depth_rate_from_m_per_year(double rate) {
-  return rate * (1.0 / (365.25 * 86400.0));
+  return rate * (1.0 / (days_per_year * seconds_per_day));
 }
 
 /// [h] to [s]
-[[nodiscard]] inline double time_from_hours(double hours) { return hours * 3600.0; }
+[[nodiscard]] inline double time_from_hours(double hours) { return hours * seconds_per_hour; }
 
 /// [degrees] to [rad]
 [[nodiscard]] inline double angle_from_degrees(double degrees) {
-  return degrees * (std::numbers::pi / 180.0);
+  return degrees * radians_per_degree;
 }
 
 }  // namespace millwear

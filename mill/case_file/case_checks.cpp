@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <set>
 
+#include "mill/base/constants.h"
 #include "mill/case/time_step.h"
 #include "mill/liner/profile_crossing.h"
 #include "mill/liner/profile_measures.h"
@@ -49,8 +49,8 @@ void check_profile(const Case& mill, const CaseDocument& document, CaseProblems&
                                      "is {:.3f} degrees from the lifter's centre, half a pitch is "
                                      "{:.3f}); lower `rows` or mend the node",
                                      i, node.x(), node.y(),
-                                     angle_of(liner.sector, node) * 180.0 / std::numbers::pi,
-                                     90.0 * liner.sector.pitch() / std::numbers::pi));
+                                     angle_of(liner.sector, node) * degrees_per_radian,
+                                     0.5 * liner.sector.pitch() * degrees_per_radian));
       return;
     }
   }

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "liggghts_inputs/decks/stretch.h"
+#include "mill/base/constants.h"
 #include "mill/base/number_or_null.h"
 #include "mill/case_file/case_file.h"
 #include "mill/case_file/case_warnings.h"
@@ -16,8 +17,6 @@
 
 namespace millwear::orchestrator {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 nlohmann::json check_json(const Case& mill, int ranks) {
   const auto plan = plan_steps(mill);
@@ -87,7 +86,7 @@ void print_charge(const Case& mill) {
                mill.materials[kind.material].name);
   const auto charge = totals(mill);
   fmt::print("  {:>10} particles, {:.3f} m3 solid, {:.2f} t in the slice\n", charge.particles,
-             charge.solid_volume, charge.mass / 1000.0);
+             charge.solid_volume, charge.mass / kilograms_per_tonne);
   fmt::print("  filling   {:.1f} % computed from the counts", 100.0 * filling_inside_plate(mill));
   if (mill.charge.declared.total)
     fmt::print(", {:.1f} % declared", 100.0 * *mill.charge.declared.total);
@@ -106,8 +105,8 @@ void print_check(const Case& mill, int ranks) {
              mill.name, 2.0 * sector.shell_radius, 2.0 * sector.plate_radius, mill.slice_length);
   fmt::print(
       "Liner\n  {} lifters {:.1f} mm high, leading face {:.1f} deg off upright, plate {:.1f} mm\n",
-      sector.rows, 1e3 * lifter_height(mill.liner), leading_face_angle(mill.liner) / degree,
-      1e3 * plate_thickness(mill.liner));
+      sector.rows, 1e3 * lifter_height(mill.liner),
+      leading_face_angle(mill.liner) / radians_per_degree, 1e3 * plate_thickness(mill.liner));
   fmt::print("Speed\n  {:.2f} rpm, {:.1f} % of critical\n", mill.speed * 30.0 / std::numbers::pi,
              100.0 * critical_speed_fraction(mill));
   print_charge(mill);

@@ -7,8 +7,8 @@
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
+#include "mill/base/constants.h"
 #include "mill/base/failure.h"
 #include "mill/base/number_or_null.h"
 #include "mill/base/published_file.h"
@@ -31,7 +31,6 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 using wear::ProfileDifference;
 
-constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
 constexpr double square_centimetres = 1e4;
 constexpr double most_hours = 1e6;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();

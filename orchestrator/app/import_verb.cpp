@@ -5,8 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
+#include "mill/base/constants.h"
 #include "mill/base/failure.h"
 #include "mill/base/number_or_null.h"
 #include "mill/case_file/case_file.h"
@@ -24,8 +24,6 @@ using Json = nlohmann::ordered_json;
 constexpr double most_hours = 1e6;
 constexpr double least_error_mm = 0.01;
 constexpr double most_error_mm = 100.0;
-
-constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
 constexpr double metres_per_millimetre = 1e-3;
 
 [[noreturn]] void wrong_usage(const std::string& what) { throw Failure(ExitCode::usage, what); }

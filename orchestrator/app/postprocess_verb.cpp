@@ -5,9 +5,9 @@
 #include <CLI/CLI.hpp>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <stdexcept>
 
+#include "mill/base/constants.h"
 #include "mill/base/number_or_null.h"
 #include "mill/case_file/case_file.h"
 #include "mill/liner/profile_measures.h"
@@ -20,9 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double seconds_per_hour = 3600.0;
 constexpr double most_hours = 1e6;
-constexpr double degree = std::numbers::pi / 180.0;
 
 std::string spoken(wear::EvolutionEnd end) {
   switch (end) {
@@ -136,7 +134,7 @@ void postprocess_verb(const PostprocessOptions& options) {
   const Case mill = read_case(options.common.case_file);
   const LinerProfile liner = case_with_profile(options.common, options.profile).liner;
   HandRun run = options.run;
-  run.angle = options.angle_deg * degree;
+  run.angle = options.angle_deg * radians_per_degree;
   const fs::path out = folder_or_default(options.out, "postprocess", mill);
   check_output_folder("--out", out);
   const double longest =

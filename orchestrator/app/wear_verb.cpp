@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "mill/base/constants.h"
 #include "mill/base/number_or_null.h"
 #include "mill/base/published_file.h"
 #include "mill/case_file/case_file.h"
@@ -17,8 +18,6 @@ namespace millwear::orchestrator {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr double seconds_per_hour = 3600.0;
 
 nlohmann::json mechanisms_json(const Case& mill) {
   nlohmann::json mechanisms = nlohmann::json::array();

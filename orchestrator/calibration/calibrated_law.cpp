@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "mill/base/constants.h"
 #include "mill/base/failure.h"
 #include "mill/liner/profile_measures.h"
 #include "orchestrator/calibration/campaign_path.h"
@@ -19,7 +20,6 @@
 namespace millwear::orchestrator {
 namespace {
 
-constexpr double seconds_per_hour = 3600.0;
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr Eigen::Index zones = 12;
 constexpr double errors_beyond = 2.0;

@@ -7,6 +7,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "mill/base/constants.h"
 #include "mill/base/csv.h"
 #include "mill/base/number_or_null.h"
 #include "orchestrator/calibration/course_verdict.h"
@@ -17,7 +18,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double hours_per_day = 24.0;
 constexpr CsvFormat format{
     "millwear calibrated comparison 1",
     "operating_hours,use,lifter_height_m_measured,error_m,lifter_height_m_predicted,"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "mill/base/constants.h"
 #include "mill/liner/profile_measures.h"
 #include "orchestrator/campaign/campaign.h"
 #include "orchestrator/campaign/case_difference.h"
@@ -21,7 +22,6 @@
 namespace millwear::orchestrator {
 namespace {
 
-constexpr double seconds_per_hour = 3600.0;
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 /// Distributions this near differ by the rounding of one factor.
 constexpr double same_within = 1e-12;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "mill/base/constants.h"
 #include "mill/base/failure.h"
 #include "mill/case/time_step.h"
 
@@ -19,7 +20,6 @@ constexpr double same_skin_share = 0.05;
 constexpr double tie_share = 0.02;
 constexpr double builds_a_piece = 4.0;
 constexpr long least_piece_steps = 100;
-constexpr double seconds_per_hour = 3600.0;
 
 double to_three_digits(double value) { return std::stod(fmt::format("{:.3g}", value)); }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mill/base/constants.h"
 #include "mill/liner/profile_measures.h"
 #include "orchestrator/campaign/kept_cycle.h"
 #include "orchestrator/dem_run/measured.h"
@@ -75,8 +76,6 @@ struct Fields<CycleResults> {
 namespace {
 
 constexpr Eigen::Index replicates = 200;
-constexpr double seconds_per_hour = 3600.0;
-constexpr double kilograms_per_tonne = 1000.0;
 
 std::vector<double> as_vector(const Eigen::VectorXd& values) {
   return {values.begin(), values.end()};

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "mill/base/constants.h"
 #include "mill/case/time_step.h"
 #include "mill/case_file/case_warnings.h"
 #include "mill/liner/profile_measures.h"
@@ -20,8 +21,6 @@
 
 namespace millwear::orchestrator {
 namespace {
-
-constexpr double seconds_per_hour = 3600.0;
 
 /// Places in the steel's frame, by their arc lengths on the DEM's liner of a cycle.
 std::vector<Eigen::Vector2d> places_on(const LinerProfile& liner, Rotation rotation,
@@ -119,7 +118,6 @@ std::string spoken_reductions(const Case& mill) {
 
 std::vector<LabelledValue> description_of(const Case& mill) {
   const auto& sector = mill.liner.sector;
-  const double degree = std::numbers::pi / 180.0;
   const auto plan = plan_steps(mill);
   return {{"Mill", fmt::format("{:g} m inside the shell, {} lifters, slice of {:g} m",
                                2.0 * sector.shell_radius, sector.rows, mill.slice_length)},
@@ -129,9 +127,9 @@ std::vector<LabelledValue> description_of(const Case& mill) {
           {"Rotation", spoken_rotation(mill)},
           {"Charge", fmt::format("{} particles, filling {:.1f} %", totals(mill).particles,
                                  100.0 * computed_filling(mill))},
-          {"New lifter",
-           fmt::format("{:.0f} mm high, leading face {:.0f}° off upright",
-                       1e3 * lifter_height(mill.liner), leading_face_angle(mill.liner) / degree)},
+          {"New lifter", fmt::format("{:.0f} mm high, leading face {:.0f}° off upright",
+                                     1e3 * lifter_height(mill.liner),
+                                     leading_face_angle(mill.liner) / radians_per_degree)},
           {"Wear law", spoken(mill.wear.mechanisms, mill.materials)},
           {"DEM", fmt::format("time step {:.3g} s, {} steps a revolution, moduli divided by {}",
                               plan.time_step, plan.steps_per_revolution(sector.rows),

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "mill/base/constants.h"
 #include "recorder/liggghts/atom_values.h"
 
 namespace millwear::recorder {
@@ -16,7 +17,6 @@ using Eigen::Vector3d;
 using LAMMPS_NS::LAMMPS;
 
 constexpr double share_of_weight = 1e-6;
-constexpr double standard_gravity = 9.81;  // [m/s2]
 
 /// Zero for a deck without `fix gravity`.
 Vector3d gravity_of(const LAMMPS& liggghts) {

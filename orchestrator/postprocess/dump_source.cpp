@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "mill/base/failure.h"
-#include "orchestrator/dem_run/child_process.h"
+#include "orchestrator/process/child_process.h"
 
 namespace millwear::orchestrator {
 namespace {

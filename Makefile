@@ -37,11 +37,12 @@ unit: ## Only the tests that need neither LIGGGHTS nor a browser
 	@cmake --build --preset ci
 	@$(CTEST) -LE 'needs_liggghts|needs_chromium'
 
-bench: ## Time the contact reader and a geometry step
+bench: ## Time the contact reader, a geometry step and publishing
 	@cmake --preset release -DMILLWEAR_TESTS=ON >/dev/null
-	@cmake --build build/release --target bench_contact_reader bench_wear
+	@cmake --build build/release --target bench_contact_reader bench_wear bench_publishing
 	@build/release/liggghts_inputs/bench/bench_contact_reader
 	@build/release/wear/bench/bench_wear
+	@build/release/orchestrator/bench_publishing
 
 clean: ## Remove what was built; runs/ stays
 	rm -rf build

@@ -44,11 +44,12 @@ sanitize: ## Unit tests under address and undefined-behaviour sanitizers; no two
 	@cmake --build --preset sanitize --target one_definition unit_tests
 	@ctest --preset sanitize --no-tests=error -L '^unit$$'
 
-bench: ## Time the contact reader and a geometry step
+bench: ## Time the contact reader, a geometry step and publishing
 	@cmake --preset release -DMILLWEAR_TESTS=ON >/dev/null
-	@cmake --build build/release --target bench_contact_reader bench_wear
+	@cmake --build build/release --target bench_contact_reader bench_wear bench_publishing
 	@build/release/liggghts_inputs/bench/bench_contact_reader
 	@build/release/wear/bench/bench_wear
+	@build/release/orchestrator/bench_publishing
 
 install: build ## Install programs and library; PREFIX says where
 	@cmake --install build/release --prefix $(PREFIX)

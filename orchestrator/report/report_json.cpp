@@ -3,8 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 
 #include "mill/base/number_or_null.h"
 #include "orchestrator/results/measured_charge.h"
@@ -68,30 +73,79 @@ Json json_of(const MeasuredCharge& charge) {
           {"toe", charge.toe},           {"toe_error", charge.toe_error}};
 }
 
-Json json_of(const ProfileRow& row) {
-  return {{"cycle", row.cycle},
-          {"step", row.step},
-          {"operating_hours", row.operating_hours},
-          {"nodes", json_of(row.nodes)},
-          {"depth_error", row.depth_error}};
+// The long arrays of a campaign are written as text at once: a document of them costs more than all
+// the rest of a publication.
+void write(std::string& text, double number) {
+  if (!std::isfinite(number)) {
+    text += "null";
+    return;
+  }
+  std::array<char, 32> digits;
+  text.append(digits.data(),
+              std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
 }
 
-Json json_of(const LoadLine& line) {
-  return {{"raw", line.raw},
-          {"standard_error", line.standard_error},
-          {"smoothed", line.smoothed},
-          {"smoothed_error", line.smoothed_error}};
+void write(std::string& text, int number) { text += std::to_string(number); }
+
+void write(std::string& text, const Eigen::Vector2d& point) {
+  text += '[';
+  write(text, point.x());
+  text += ',';
+  write(text, point.y());
+  text += ']';
 }
 
-Json json_of(const LoadAlongProfile& load) {
-  return {{"cycle", load.cycle},
-          {"arc_length", load.arc_length},
-          {"width", load.width},
-          {"centres", json_of(load.centres)},
-          {"contacts", json_of(load.contacts)},
-          {"normal_dissipation", json_of(load.normal_dissipation)},
-          {"sliding_work", json_of(load.sliding_work)},
-          {"depth_rate", json_of(load.depth_rate)}};
+void write(std::string& text, const LoadLine& line);
+void write(std::string& text, const ProfileRow& row);
+void write(std::string& text, const LoadAlongProfile& load);
+
+template <class T>
+void write(std::string& text, const std::vector<T>& items) {
+  text += '[';
+  for (const auto& item : items) {
+    write(text, item);
+    text += ',';
+  }
+  if (!items.empty()) text.pop_back();
+  text += ']';
+}
+
+template <class T>
+void write_member(std::string& text, std::string_view name, const T& value) {
+  fmt::format_to(std::back_inserter(text), "{}\"{}\":", text.back() == '{' ? "" : ",", name);
+  write(text, value);
+}
+
+void write(std::string& text, const ProfileRow& row) {
+  text += '{';
+  write_member(text, "cycle", row.cycle);
+  write_member(text, "step", row.step);
+  write_member(text, "operating_hours", row.operating_hours);
+  write_member(text, "nodes", row.nodes);
+  write_member(text, "depth_error", row.depth_error);
+  text += '}';
+}
+
+void write(std::string& text, const LoadLine& line) {
+  text += '{';
+  write_member(text, "raw", line.raw);
+  write_member(text, "standard_error", line.standard_error);
+  write_member(text, "smoothed", line.smoothed);
+  write_member(text, "smoothed_error", line.smoothed_error);
+  text += '}';
+}
+
+void write(std::string& text, const LoadAlongProfile& load) {
+  text += '{';
+  write_member(text, "cycle", load.cycle);
+  write_member(text, "arc_length", load.arc_length);
+  write_member(text, "width", load.width);
+  write_member(text, "centres", load.centres);
+  write_member(text, "contacts", load.contacts);
+  write_member(text, "normal_dissipation", load.normal_dissipation);
+  write_member(text, "sliding_work", load.sliding_work);
+  write_member(text, "depth_rate", load.depth_rate);
+  text += '}';
 }
 
 /// From the first class that is not empty to the last, with four digits.
@@ -212,15 +266,16 @@ Json all(const std::vector<T>& items) {
   return array_of(items, [](const T& item) { return json_of(item); });
 }
 
-std::string inside_script(const std::string& json) {
+std::string inside_script(std::string_view json) {
   std::string text;
   text.reserve(json.size());
-  for (const char c : json)
-    if (c == '<')
-      text += "\\u003c";
-    else
-      text += c;
-  return text;
+  for (;;) {
+    const auto open = json.find('<');
+    text += json.substr(0, open);
+    if (open == std::string_view::npos) return text;
+    text += "\\u003c";
+    json.remove_prefix(open + 1);
+  }
 }
 
 }  // namespace
@@ -234,8 +289,6 @@ std::string report_json(const CampaignResults& data) {
                      {"plate_limit", data.plate_limit},
                      {"history", all(data.history)},
                      {"charges", all(measured_charges(data.history))},
-                     {"profiles", all(data.profiles)},
-                     {"loads", all(data.loads)},
                      {"energy_edges", data.energy_edges},
                      {"impacts", all(data.impacts)},
                      {"power", all(data.power)},
@@ -246,7 +299,11 @@ std::string report_json(const CampaignResults& data) {
                      {"calibrated", json_of(data.calibrated)},
                      {"warnings", data.warnings},
                      {"provenance", all(data.provenance)}};
-  return inside_script(json.dump(-1, ' ', false, Json::error_handler_t::replace));
+  std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  text.pop_back();
+  write_member(text, "profiles", data.profiles);
+  write_member(text, "loads", data.loads);
+  return inside_script(text + "}");
 }
 
 }  // namespace millwear::orchestrator

@@ -13,7 +13,9 @@ mill/base:
 mill/liner: mill/base
 mill/case: mill/base mill/liner
 mill/load: mill/base mill/liner mill/case
-mill/case_file: mill/base mill/liner mill/case mill/load
+mill/recording: mill/base mill/load
+mill/case_keys: mill/base mill/liner mill/case
+mill/case_file: mill/base mill/liner mill/case mill/load mill/case_keys
 meshgen: mill
 liggghts_inputs/decks: mill
 liggghts_inputs/outputs: mill liggghts_inputs/decks
@@ -28,7 +30,7 @@ recorder/liggghts:
 recorder/options: mill
 recorder/neighbours: recorder/liggghts
 recorder/pairs: mill/base recorder/liggghts
-recorder/record: mill wear recorder/liggghts recorder/options recorder/pairs
+recorder/record: mill wear recorder/liggghts recorder/pairs
 recorder/run: mill recorder/liggghts recorder/options recorder/neighbours recorder/pairs recorder/record
 orchestrator/campaign: mill meshgen wear
 orchestrator/dem_run: mill liggghts_inputs wear orchestrator/campaign
@@ -89,8 +91,9 @@ library GSL "gsl/" wear/numerics/spline_basis.cpp wear/numerics/paper_spline.cpp
 library HDF5 "hdf5|H5" wear/record/hdf5_file.cpp wear/record/load_read.cpp wear/record/load_write.cpp \
   wear/record/collision_store.cpp
 library Clipper "polyclipping/|clipper" wear/evolve/steel_cut.cpp wear/gauge/area_between.cpp
-library toml++ "toml" mill/case_file/case_document.cpp
-library CLI11 "CLI/" orchestrator/app/command_line.cpp recorder/options/mixing_options.cpp \
+library toml++ "toml" mill/case_keys/case_document.cpp
+library CLI11 "CLI/" orchestrator/app/command_line.cpp orchestrator/app/common_options.cpp \
+  orchestrator/app/liner_choice.cpp $(echo orchestrator/app/*_verb.cpp) recorder/options/mixing_options.cpp \
   recorder/options/option_parsing.cpp recorder/options/recording_plan.cpp \
   recorder/options/run_options.cpp
 library LIGGGHTS "liggghts/" recorder/record/charge_census.cpp recorder/run/deck_run.cpp \

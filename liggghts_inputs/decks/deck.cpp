@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "deck_templates.h"
-#include "liggghts_inputs/decks/deck_template.h"
+#include "mill/base/text_template.h"
 #include "mill/liner/profile_measures.h"
 #include "mill/load/steady_mixing.h"
 

@@ -25,7 +25,7 @@ inline constexpr const char* torque = "torque.txt";
 }  // namespace file_names
 
 /// The neighbour skin the deck uses [m]: the case's, or by default the least particle's
-/// radius (docs/guide.md).
+/// radius (docs/how_to_run_dem_faster.md).
 [[nodiscard]] double neighbour_skin(const Case& mill);
 
 /// How `ranks` MPI ranks share the mill in the deck: an even number as the case says, by default

@@ -21,7 +21,6 @@ long pitches_to_go_on(long pitches, long blocks) { return pitches / std::gcd(pit
 
 }  // namespace
 
-double StretchSteps::settle_time() const { return time_step * static_cast<double>(settle_steps); }
 double StretchSteps::measure_time() const { return time_step * static_cast<double>(measure_steps); }
 long StretchSteps::samples() const { return total() / sample_steps - settle_steps / sample_steps; }
 double StretchSteps::sample_interval() const {

@@ -28,7 +28,6 @@ struct StretchSteps {
   [[nodiscard]] long most_total() const {
     return settle_steps + std::max(measure_steps, most_measure_steps);
   }
-  [[nodiscard]] double settle_time() const;      ///< [s]
   [[nodiscard]] double measure_time() const;     ///< [s]
   [[nodiscard]] long samples() const;            ///< steps in (settle, total] that are sampled
   [[nodiscard]] double sample_interval() const;  ///< [s]

@@ -115,7 +115,6 @@ void SnapshotReader::expect_header(std::string_view line, std::string_view heade
 
 void SnapshotReader::complete() {
   expect_ = Expect::step_header;
-  ++snapshots_;
   take_(snapshot_);
 }
 

@@ -36,8 +36,6 @@ class SnapshotReader {
   /// The end of the dump. Throws ResultRejected if it ends inside a snapshot.
   void finish() const;
 
-  [[nodiscard]] long snapshots() const { return snapshots_; }
-
  private:
   enum class Expect { step_header, step, count_header, count, box_header, box, columns, rows };
 
@@ -55,7 +53,6 @@ class SnapshotReader {
   std::size_t rows_left_ = 0;
   int box_lines_left_ = 0;
   long line_ = 0;
-  long snapshots_ = 0;
 };
 
 }  // namespace millwear::liggghts

@@ -13,13 +13,13 @@ enum class Scheme {
 /// As the case file writes it.
 [[nodiscard]] std::string_view name_of(Scheme scheme);
 
-/// When to run the DEM anew, and when to stop.
+/// When to run the DEM anew, and when to stop. The defaults are those of the case file.
 struct CampaignSettings {
-  double threshold;     ///< worn share of the new lifter's volume per DEM load
-  int steps_per_cycle;  ///< geometry steps on one DEM load
-  double height_limit;  ///< the liner is worn out at this lifter height [m]
-  double plate_limit;   ///< ... or at this least plate thickness [m]
-  int cycle_limit;      ///< stop after so many cycles
+  double threshold = 0.15;  ///< worn share of the new lifter's volume per DEM load
+  int steps_per_cycle = 5;  ///< geometry steps on one DEM load
+  double height_limit;      ///< the liner is worn out at this lifter height [m]
+  double plate_limit;       ///< ... or at this least plate thickness [m]
+  int cycle_limit = 50;     ///< stop after so many cycles
   Scheme scheme = Scheme::threshold;
   double step_tolerance = 0.005;  ///< adaptive: share of the new lifter's volume that one load may
                                   ///< wear at the wrong place

@@ -74,6 +74,10 @@ double largest_diameter(const Case& mill) { return largest_diameter(mill.charge.
 
 double smallest_diameter(const Case& mill) { return smallest_diameter(mill.charge.classes); }
 
+std::string_view name_of(RollingFriction model) {
+  return model == RollingFriction::cdt ? "cdt" : "epsd2";
+}
+
 std::string_view name_of(ContactPath path) {
   return path == ContactPath::recorder ? "recorder" : "dumps";
 }

@@ -43,8 +43,8 @@ struct DeclaredFilling {
 struct Charge {
   std::vector<ParticleClass> classes;  ///< largest first
   DeclaredFilling declared;
-  double porosity;        ///< voids of the charge at rest
-  double truncate_below;  ///< sizes under this are left out [m]; 0 keeps all
+  double porosity = 0.4;        ///< voids of the charge at rest
+  double truncate_below = 0.0;  ///< sizes under this are left out [m]; 0 keeps all
 };
 
 enum class RollingFriction { cdt, epsd2 };
@@ -62,6 +62,7 @@ enum class RankSplit {
 };
 
 /// As the case file writes them.
+[[nodiscard]] std::string_view name_of(RollingFriction model);
 [[nodiscard]] std::string_view name_of(ContactPath path);
 [[nodiscard]] std::string_view name_of(RankSplit split);
 
@@ -71,25 +72,26 @@ struct ErrorTarget {
   double most_revolutions;  ///< it ends then, however well it is known
 };
 
+/// The defaults are those of the case file, here and in the settings of wear and campaign.
 struct DemSettings {
-  double modulus_reduction;                 ///< the moduli are divided by this
-  double rayleigh_fraction;                 ///< time step as a share of the least Rayleigh time
-  std::optional<double> longest_time_step;  ///< [s]; the step is never above this
-  RollingFriction rolling_friction;
-  double mix_revolutions;      ///< before the first measurement
-  int settle_pitches;          ///< turned on a new mesh before the load is measured
-  double measure_revolutions;  ///< with a target the least number
-  ContactPath contact_path;
-  int sample_every_steps;      ///< steps between two samples of the wall contacts
-  int ranks;                   ///< MPI ranks; 0 takes every core
-  std::optional<double> skin;  ///< neighbour skin [m]; by default the least particle radius
+  double modulus_reduction = 100.0;           ///< the moduli are divided by this
+  double rayleigh_fraction = 0.3;             ///< time step as a share of the least Rayleigh time
+  std::optional<double> longest_time_step{};  ///< [s]; the step is never above this
+  RollingFriction rolling_friction = RollingFriction::cdt;
+  double mix_revolutions = 2.0;      ///< before the first measurement
+  int settle_pitches = 2;            ///< turned on a new mesh before the load is measured
+  double measure_revolutions = 1.0;  ///< with a target the least number
+  ContactPath contact_path = ContactPath::recorder;
+  int sample_every_steps = 1;    ///< steps between two samples of the wall contacts
+  int ranks = 0;                 ///< MPI ranks; 0 takes every core
+  std::optional<double> skin{};  ///< neighbour skin [m]; by default the least particle radius
   std::optional<RankSplit> rank_split{};  ///< by default `charge`
-  double mesh_tolerance;    ///< mesh against profile, share of the least particle radius
-  std::uint64_t seed;       ///< of the first packing
-  bool keep_dumps;          ///< keep the contact dumps as files
-  bool keep_events;         ///< keep a row a collision with the liner (recorder only)
-  double pair_revolutions;  ///< at the end of a measurement in which collisions between particles
-                            ///< are recorded (recorder only)
+  double mesh_tolerance = 0.03;       ///< mesh against profile, share of the least particle radius
+  std::uint64_t seed = 1;             ///< of the first packing
+  bool keep_dumps = false;            ///< keep the contact dumps as files
+  bool keep_events = false;           ///< keep a row a collision with the liner (recorder only)
+  double pair_revolutions = 0.02;     ///< at the end of a measurement in which collisions between
+                                      ///< particles are recorded (recorder only)
   std::optional<double> time_step{};  ///< wanted [s], in place of the share of the Rayleigh time
   std::optional<ErrorTarget> error_target{};  ///< recorder only
   bool tune = false;  ///< a campaign chooses `skin` and `rank_split` by a trial; they are not given

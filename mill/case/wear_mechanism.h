@@ -29,8 +29,8 @@ inline constexpr std::array<std::string_view, 8> wear_law_names = {
 
 /// One term of the sum of laws that wears the liner.
 struct WearMechanism {
-  WearLaw law;
-  double specific_wear_rate;               ///< volume per energy k [1/Pa]; 0 for corrosion
+  WearLaw law = WearLaw::archard;
+  double specific_wear_rate = 0.0;         ///< volume per energy k [1/Pa]; 0 for corrosion
   double depth_rate = 0.0;                 ///< of corrosion [m/s]; 0 for all other laws
   std::optional<std::size_t> material{};   ///< only particles of this one, index of Case::materials
   std::optional<double> least_diameter{};  ///< only particles from this ... [m]

@@ -15,11 +15,12 @@ enum class SmoothingMethod {
 /// As the case file writes it.
 [[nodiscard]] std::string_view name_of(SmoothingMethod method);
 
+/// The defaults are those of the case file.
 struct WearSettings {
   std::vector<WearMechanism> mechanisms;  ///< the law is their sum
-  int bins;                               ///< along one pitch
-  int time_blocks;                        ///< replicates of the load in one measurement
-  double excess_speed;                    ///< v_0 of the excess kinetic energy of an impact [m/s]
+  int bins = 120;                         ///< along one pitch
+  int time_blocks = 10;                   ///< replicates of the load in one measurement
+  double excess_speed = 0.1;              ///< v_0 of the excess kinetic energy of an impact [m/s]
   SmoothingMethod smoothing{};            ///< of the load along the profile
 };
 

@@ -8,24 +8,25 @@
 #include "mill/case/case_units.h"
 #include "mill/case_file/case_schema_check.h"
 #include "mill/case_file/case_values.h"
+#include "mill/case_keys/campaign_keys.h"
+#include "mill/case_keys/charge_keys.h"
+#include "mill/case_keys/dem_keys.h"
 
 namespace millwear {
 namespace {
 
-std::vector<double> build_reversals(const CaseTable& campaign, CaseProblems& problems) {
+void check_reversals(const CaseTable& campaign, CaseProblems& problems) {
   const CaseValue* const value = campaign.find("reversal_hours");
-  if (value == nullptr) return {};
-  std::vector<double> times = real_values(campaign, "reversal_hours");
-  const auto late = std::adjacent_find(times.begin(), times.end(), std::greater_equal<>());
-  if (late != times.end()) {
+  if (value == nullptr) return;
+  const std::vector<double> hours = numbers_in(*value);
+  const auto late = std::adjacent_find(hours.begin(), hours.end(), std::greater_equal<>());
+  if (late != hours.end()) {
     problems.add(
         value->line,
         fmt::format("`reversal_hours` is not in order ({} h stands before {} h); list each "
                     "reversal once, the first first",
                     *late, *(late + 1)));
   }
-  for (double& time : times) time = time_from_hours(time);
-  return times;
 }
 
 }  // namespace
@@ -51,9 +52,8 @@ std::size_t material_index(const std::vector<Material>& materials, const CaseTab
 std::vector<Material> build_materials(const CaseDocument& document, CaseProblems& problems) {
   std::vector<Material> materials;
   for (const CaseTable* table : document.all("materials")) {
-    Material material{text_value(*table, "name"), real_value(*table, "density_kg_per_m3"),
-                      real_value(*table, "shear_modulus_pa"), real_value(*table, "poisson_ratio"),
-                      optional_real(*table, "modulus_reduction")};
+    Material material{};
+    read_keys(material_keys(), table, material);
     if (std::any_of(materials.begin(), materials.end(),
                     [&](const Material& m) { return m.name == material.name; })) {
       problems.add(table->find("name")->line,
@@ -73,9 +73,8 @@ std::vector<MaterialPair> build_pairs(const CaseDocument& document,
     const auto [first, second] =
         std::minmax({material_index(materials, *table, "materials", names[0], problems),
                      material_index(materials, *table, "materials", names[1], problems)});
-    const MaterialPair pair{first, second, real_value(*table, "sliding_friction"),
-                            real_value(*table, "rolling_friction"),
-                            real_value(*table, "restitution")};
+    MaterialPair pair{first, second, 0.0, 0.0, 0.0};
+    read_keys(pair_keys(), table, pair);
     if (problems.empty() && std::any_of(pairs.begin(), pairs.end(), [&](const MaterialPair& p) {
           return p.first == pair.first && p.second == pair.second;
         })) {
@@ -88,92 +87,41 @@ std::vector<MaterialPair> build_pairs(const CaseDocument& document,
   return pairs;
 }
 
-std::optional<ErrorTarget> build_error_target(const CaseTable& dem) {
-  constexpr double most_in_least = 4.0;
-  const auto error = optional_real(dem, "target_relative_error");
-  if (!error) return std::nullopt;
-  return ErrorTarget{*error, optional_real(dem, "most_revolutions")
-                                 .value_or(most_in_least * real_value(dem, "measure_revolutions"))};
-}
-
-std::optional<RankSplit> build_rank_split(const CaseTable& dem) {
-  const auto split = optional_text(dem, "rank_split");
-  if (!split) return std::nullopt;
-  return *split == name_of(RankSplit::axis) ? RankSplit::axis : RankSplit::charge;
-}
-
 DemSettings build_dem(const CaseDocument& document) {
-  const CaseTable defaults{"dem", 1, false, {}};
-  const CaseTable* const written = document.find("dem");
-  const CaseTable& dem = written == nullptr ? defaults : *written;
-  constexpr double every_step = 1.0;
-  constexpr double between_dumps = 20.0;
-  const auto path =
-      text_value(dem, "wall_contacts") == "dumps" ? ContactPath::dumps : ContactPath::recorder;
-  return {.modulus_reduction = real_value(dem, "modulus_reduction"),
-          .rayleigh_fraction = real_value(dem, "rayleigh_fraction"),
-          .longest_time_step = optional_real(dem, "longest_time_step_s"),
-          .rolling_friction = text_value(dem, "rolling_friction_model") == "cdt"
-                                  ? RollingFriction::cdt
-                                  : RollingFriction::epsd2,
-          .mix_revolutions = real_value(dem, "mix_revolutions"),
-          .settle_pitches = integer_value(dem, "settle_pitches"),
-          .measure_revolutions = real_value(dem, "measure_revolutions"),
-          .contact_path = path,
-          .sample_every_steps = static_cast<int>(
-              optional_real(dem, "sample_every_steps")
-                  .value_or(path == ContactPath::recorder ? every_step : between_dumps)),
-          .ranks = integer_value(dem, "ranks"),
-          .skin = optional_real(dem, "skin_m"),
-          .rank_split = build_rank_split(dem),
-          .mesh_tolerance = real_value(dem, "mesh_tolerance"),
-          .seed = static_cast<std::uint64_t>(integer_value(dem, "seed")),
-          .keep_dumps = boolean_value(dem, "keep_dumps"),
-          .keep_events = boolean_value(dem, "keep_events"),
-          .pair_revolutions = real_value(dem, "pair_revolutions"),
-          .time_step = optional_real(dem, "time_step_s"),
-          .error_target = build_error_target(dem),
-          .tune = boolean_value(dem, "tune"),
-          .mix_until_steady = boolean_value(dem, "mix_until_steady")};
+  DemSettings dem;
+  read_keys(dem_keys(), document.find("dem"), dem);
+  return dem;
 }
 
 CampaignSettings build_campaign(const CaseDocument& document, CaseProblems& problems) {
-  const CaseTable& campaign = *document.find("campaign");
+  const CaseTable& table = *document.find("campaign");
   const double plate_thickness = real_value(*document.find("lifter"), "plate_thickness_m");
-  return {
-      .threshold = real_value(campaign, "threshold"),
-      .steps_per_cycle = integer_value(campaign, "steps_per_cycle"),
-      .height_limit = real_value(campaign, "height_limit_m"),
-      .plate_limit = optional_real(campaign, "plate_limit_m").value_or(0.1 * plate_thickness),
-      .cycle_limit = integer_value(campaign, "cycle_limit"),
-      .scheme = text_value(campaign, "scheme") == "adaptive" ? Scheme::adaptive : Scheme::threshold,
-      .step_tolerance = real_value(campaign, "step_tolerance"),
-      .largest_share = real_value(campaign, "largest_share"),
-      .reversal_times = build_reversals(campaign, problems)};
+  CampaignSettings campaign{};
+  campaign.plate_limit = 0.1 * plate_thickness;
+  read_keys(campaign_keys(), &table, campaign);
+  check_reversals(table, problems);
+  return campaign;
 }
 
 GaugeSettings build_gauge(const CaseDocument& document) {
-  const CaseTable* const gauge = document.find("gauge");
-  if (gauge == nullptr) return {};
-  return {.calibrate_until = optional_real(*gauge, "calibrate_until_hours")};
+  GaugeSettings gauge;
+  read_keys(gauge_keys(), document.find("gauge"), gauge);
+  return gauge;
 }
 
-double build_speed(const CaseDocument& document, const LinerSector& sector, double largest_diameter,
-                   CaseProblems& problems) {
-  const CaseTable& mill = *document.find("mill");
-  const std::optional<double> rpm = optional_real(mill, "speed_rpm");
-  const std::optional<double> fraction = optional_real(mill, "critical_speed_fraction");
-  if (rpm.has_value() == fraction.has_value()) {
-    problems.add(mill.line,
+double build_speed(const CaseDocument& document, const Case& mill, CaseProblems& problems) {
+  const CaseTable& table = *document.find("mill");
+  const bool rpm = table.find("speed_rpm") != nullptr;
+  const std::optional<double> fraction = optional_real(table, "critical_speed_fraction");
+  if (rpm == fraction.has_value()) {
+    problems.add(table.line,
                  fmt::format("[mill] has {} `speed_rpm` {} `critical_speed_fraction`; give one of "
                              "the two",
                              rpm ? "both" : "neither", rpm ? "and" : "nor"));
     return 1.0;
   }
-  if (rpm) {
-    return speed_from_rpm(*rpm);
-  }
-  const double speed = *fraction * critical_speed(sector, largest_diameter);
+  if (rpm) return mill.speed;
+  const double speed = *fraction * critical_speed(mill.liner.sector, largest_diameter(mill));
   return speed_from_rpm(speed / speed_from_rpm(1.0));
 }
 

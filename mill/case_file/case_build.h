@@ -1,7 +1,7 @@
 #pragma once
 #include "mill/case/case.h"
-#include "mill/case_file/case_document.h"
 #include "mill/case_file/case_problems.h"
+#include "mill/case_keys/case_document.h"
 
 namespace millwear {
 
@@ -21,9 +21,10 @@ namespace millwear {
 
 [[nodiscard]] GaugeSettings build_gauge(const CaseDocument& document);
 
-/// Speed [rad/s], a whole `speed_rpm` x pi / 30 in either form, so that a locked copy repeats it.
-[[nodiscard]] double build_speed(const CaseDocument& document, const LinerSector& sector,
-                                 double largest_diameter, CaseProblems& problems);
+/// Speed [rad/s] of `mill`, whose [mill] table, liner and charge have been read: a whole
+/// `speed_rpm` x pi / 30 in either form, so that a locked copy repeats it.
+[[nodiscard]] double build_speed(const CaseDocument& document, const Case& mill,
+                                 CaseProblems& problems);
 
 /// Index of the material a key names; adds a problem and returns 0 where there is none of the name.
 [[nodiscard]] std::size_t material_index(const std::vector<Material>& materials,

@@ -8,6 +8,7 @@
 
 #include "mill/case_file/case_build.h"
 #include "mill/case_file/case_values.h"
+#include "mill/case_keys/charge_keys.h"
 
 namespace millwear {
 namespace {
@@ -28,9 +29,10 @@ std::vector<ParticleClass> classes_from_counts(const CaseDocument& document,
                                                double truncate_below, CaseProblems& problems) {
   std::vector<ParticleClass> classes;
   for (const CaseTable* table : document.all("charge.counts")) {
-    const ParticleClass c{
-        material_index(materials, *table, "material", text_value(*table, "material"), problems),
-        real_value(*table, "diameter_m"), static_cast<std::size_t>(integer_value(*table, "count"))};
+    ParticleClass c{};
+    read_keys(count_keys(), table, c);
+    c.material =
+        material_index(materials, *table, "material", text_value(*table, "material"), problems);
     if (problems.empty() &&
         std::any_of(classes.begin(), classes.end(), [&c](const ParticleClass& other) {
           return other.material == c.material && other.diameter == c.diameter;
@@ -123,13 +125,12 @@ std::vector<double> filling_shares(const CaseTable& charge,
 
 std::vector<ParticleClass> classes_from_filling(const CaseDocument& document,
                                                 const std::vector<Material>& materials,
-                                                const LinerSector& sector, const Charge& charge,
-                                                CaseProblems& problems) {
+                                                const LinerSector& sector, double slice_length,
+                                                const Charge& charge, CaseProblems& problems) {
   const CaseTable& table = *document.find("charge");
   const auto distributions = document.all("charge.distributions");
   const std::vector<double> shares = filling_shares(table, distributions, problems);
-  const double inside = std::numbers::pi * sector.plate_radius * sector.plate_radius *
-                        real_value(*document.find("mill"), "slice_length_m");
+  const double inside = std::numbers::pi * sector.plate_radius * sector.plate_radius * slice_length;
   std::vector<ParticleClass> classes;
   for (std::size_t i = 0; i < distributions.size(); ++i) {
     const CaseTable& distribution = *distributions[i];
@@ -151,9 +152,10 @@ std::vector<ParticleClass> classes_from_filling(const CaseDocument& document,
 }  // namespace
 
 Charge build_charge(const CaseDocument& document, const std::vector<Material>& materials,
-                    const LinerSector& sector, CaseProblems& problems) {
+                    const LinerSector& sector, double slice_length, CaseProblems& problems) {
   const CaseTable& table = *document.find("charge");
-  Charge charge{{}, {}, real_value(table, "porosity"), real_value(table, "truncate_below_m")};
+  Charge charge;
+  read_keys(charge_keys(), &table, charge);
   const bool by_counts = document.find("charge.counts") != nullptr;
   const bool by_filling = document.find("charge.distributions") != nullptr;
   if (by_counts == by_filling) {
@@ -174,15 +176,14 @@ Charge build_charge(const CaseDocument& document, const std::vector<Material>& m
       refuse(table, key, "the counts make the filling; `declared_` keys are only compared",
              problems);
     }
-    charge.declared = {optional_real(table, "declared_total_filling"),
-                       optional_real(table, "declared_ball_filling")};
     charge.classes = classes_from_counts(document, materials, charge.truncate_below, problems);
   } else {
     for (const std::string_view key : declared_keys) {
       refuse(table, key, "the charge is made from `total_filling`", problems);
     }
     charge.declared = {optional_real(table, "total_filling"), optional_real(table, "ball_filling")};
-    charge.classes = classes_from_filling(document, materials, sector, charge, problems);
+    charge.classes =
+        classes_from_filling(document, materials, sector, slice_length, charge, problems);
   }
   std::stable_sort(
       charge.classes.begin(), charge.classes.end(),

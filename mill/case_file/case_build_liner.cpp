@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <array>
-
-#include "mill/case/case_units.h"
 #include "mill/case_file/case_values.h"
+#include "mill/case_keys/mill_keys.h"
 #include "mill/liner/parametric_lifter.h"
 #include "mill/liner/profile_csv.h"
 #include "mill/liner/profile_ends.h"
@@ -13,15 +11,9 @@
 namespace millwear {
 namespace {
 
-constexpr std::array<std::string_view, 4> shape_keys = {
-    "height_m", "top_width_m", "leading_face_angle_deg", "trailing_face_angle_deg"};
-
 LinerProfile build_parametric(const CaseTable& lifter, const LinerSector& sector) {
-  const ParametricLifter shape{
-      .height = real_value(lifter, "height_m"),
-      .top_width = real_value(lifter, "top_width_m"),
-      .leading_face_angle = angle_from_degrees(real_value(lifter, "leading_face_angle_deg")),
-      .trailing_face_angle = angle_from_degrees(real_value(lifter, "trailing_face_angle_deg"))};
+  ParametricLifter shape{};
+  read_keys(lifter_shape_keys(), &lifter, shape);
   return profile_of(
       sector, shape,
       boolean_value(lifter, "straight_plate") ? PlateShape::straight : PlateShape::arc);
@@ -33,9 +25,9 @@ void check_form(const CaseTable& lifter, CaseProblems& problems) {
   const bool nodes = lifter.find("nodes_m") != nullptr;
   std::string missing;
   std::string present;
-  for (const std::string_view key : shape_keys) {
-    std::string& list = lifter.find(key) == nullptr ? missing : present;
-    list += fmt::format("{}`{}`", list.empty() ? "" : ", ", key);
+  for (const KeyRow<ParametricLifter>& row : lifter_shape_keys()) {
+    std::string& list = lifter.find(row.spec.key) == nullptr ? missing : present;
+    list += fmt::format("{}`{}`", list.empty() ? "" : ", ", row.spec.key);
   }
   if (csv && nodes) {
     problems.add(lifter.line, "[lifter] has both `profile_csv` and `nodes_m`; give one of the two");
@@ -58,18 +50,17 @@ void check_form(const CaseTable& lifter, CaseProblems& problems) {
 
 }  // namespace
 
-LinerProfile build_liner(const CaseDocument& document, CaseProblems& problems) {
-  const CaseTable& mill = *document.find("mill");
+LinerProfile build_liner(const CaseDocument& document, const LinerSector& sector,
+                         CaseProblems& problems) {
   const CaseTable& lifter = *document.find("lifter");
-  const double shell_radius = 0.5 * real_value(mill, "shell_diameter_m");
   const double thickness = real_value(lifter, "plate_thickness_m");
-  LinerProfile liner{{shell_radius, shell_radius - thickness, integer_value(mill, "rows")}, {}};
+  LinerProfile liner{sector, {}};
   check_form(lifter, problems);
-  if (thickness >= 0.5 * shell_radius) {
+  if (thickness >= 0.5 * sector.shell_radius) {
     problems.add(lifter.find("plate_thickness_m")->line,
                  fmt::format("the plate fills the mill ({:.4g} m thick, the shell's radius is "
                              "{:.4g} m); keep it under half of that",
-                             thickness, shell_radius));
+                             thickness, sector.shell_radius));
   }
   if (!problems.empty()) {
     return liner;

@@ -4,15 +4,13 @@
 
 #include <array>
 
-#include "mill/case/case_units.h"
 #include "mill/case_file/case_build.h"
 #include "mill/case_file/case_values.h"
+#include "mill/case_keys/wear_keys.h"
 
 namespace millwear {
 namespace {
 
-constexpr std::array<std::string_view, 3> law_keys = {"law", "specific_wear_rate_per_pa",
-                                                      "depth_rate_m_per_year"};
 constexpr std::array<std::string_view, 3> particle_keys = {"material", "smallest_diameter_m",
                                                            "largest_diameter_m"};
 
@@ -47,25 +45,21 @@ void check_keys(const CaseTable& table, WearLaw law, CaseProblems& problems) {
              "give `specific_wear_rate_per_pa`", problems);
 }
 
-WearMechanism mechanism_of(const CaseTable& table, const std::vector<Material>& materials,
-                           CaseProblems& problems) {
-  const WearLaw law = wear_law_from(text_value(table, "law"));
-  check_keys(table, law, problems);
-  WearMechanism mechanism{
-      law, optional_real(table, "specific_wear_rate_per_pa").value_or(0.0),
-      depth_rate_from_m_per_year(optional_real(table, "depth_rate_m_per_year").value_or(0.0))};
+WearMechanism mechanism_of(const CaseTable& table, const std::vector<KeyRow<WearMechanism>>& keys,
+                           const std::vector<Material>& materials, CaseProblems& problems) {
+  WearMechanism mechanism;
+  read_keys(keys, &table, mechanism);
+  check_keys(table, mechanism.law, problems);
   if (const auto name = optional_text(table, "material")) {
     mechanism.material = material_index(materials, table, "material", *name, problems);
   }
-  mechanism.least_diameter = optional_real(table, "smallest_diameter_m");
-  mechanism.most_diameter = optional_real(table, "largest_diameter_m");
   return mechanism;
 }
 
 /// The first key of [wear] that gives the one law for all particles, or nullptr.
 const CaseValue* law_of_wear(const CaseTable& wear) {
-  for (const std::string_view key : law_keys) {
-    if (const CaseValue* const found = wear.find(key)) {
+  for (const KeyRow<WearMechanism>& row : one_law_keys()) {
+    if (const CaseValue* const found = wear.find(row.spec.key)) {
       return found;
     }
   }
@@ -91,11 +85,11 @@ std::vector<WearMechanism> build_mechanisms(const CaseDocument& document,
     return {};
   }
   if (tables.empty()) {
-    return {mechanism_of(wear, materials, problems)};
+    return {mechanism_of(wear, one_law_keys(), materials, problems)};
   }
   std::vector<WearMechanism> mechanisms;
   for (const CaseTable* table : tables) {
-    mechanisms.push_back(mechanism_of(*table, materials, problems));
+    mechanisms.push_back(mechanism_of(*table, mechanism_keys(), materials, problems));
   }
   return mechanisms;
 }
@@ -104,13 +98,10 @@ std::vector<WearMechanism> build_mechanisms(const CaseDocument& document,
 
 WearSettings build_wear(const CaseDocument& document, const std::vector<Material>& materials,
                         CaseProblems& problems) {
-  const CaseTable& wear = *document.find("wear");
-  return {.mechanisms = build_mechanisms(document, materials, problems),
-          .bins = integer_value(wear, "bins"),
-          .time_blocks = integer_value(wear, "time_blocks"),
-          .excess_speed = real_value(wear, "excess_speed_m_per_s"),
-          .smoothing = text_value(wear, "smoothing") == "paper" ? SmoothingMethod::paper
-                                                                : SmoothingMethod::penalised};
+  WearSettings wear;
+  wear.mechanisms = build_mechanisms(document, materials, problems);
+  read_keys(wear_keys(), document.find("wear"), wear);
+  return wear;
 }
 
 }  // namespace millwear

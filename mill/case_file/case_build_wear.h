@@ -1,7 +1,7 @@
 #pragma once
 #include "mill/case/case.h"
-#include "mill/case_file/case_document.h"
 #include "mill/case_file/case_problems.h"
+#include "mill/case_keys/case_document.h"
 
 namespace millwear {
 

@@ -1,7 +1,6 @@
 #include "mill/case_file/case_file.h"
 
 #include "mill/base/text_file.h"
-#include "mill/case/case_units.h"
 #include "mill/case_file/case_build.h"
 #include "mill/case_file/case_build_charge.h"
 #include "mill/case_file/case_build_liner.h"
@@ -9,6 +8,7 @@
 #include "mill/case_file/case_checks.h"
 #include "mill/case_file/case_schema_check.h"
 #include "mill/case_file/case_values.h"
+#include "mill/case_keys/mill_keys.h"
 
 namespace millwear {
 
@@ -23,33 +23,26 @@ Case case_from_text(std::string_view text, const std::filesystem::path& file) {
   check_against_schema(document, problems);
   problems.throw_if_any();
 
-  const CaseTable& mill = *document.find("mill");
   const CaseTable& lifter = *document.find("lifter");
-  Case result{.name = text_value(*document.find(""), "name"),
-              .file = file,
-              .slice_length = real_value(mill, "slice_length_m"),
-              .speed = 0.0,
-              .feed_rate = {},
-              .liner = build_liner(document, problems),
-              .materials = build_materials(document, problems),
-              .pairs = {},
-              .liner_material = 0,
-              .charge = {},
-              .dem = build_dem(document),
-              .wear = {},
-              .campaign = build_campaign(document, problems),
-              .gauge = build_gauge(document)};
-  if (const auto feed = optional_real(mill, "feed_rate_t_per_h")) {
-    result.feed_rate = feed_from_t_per_h(*feed);
-  }
+  Case result{};
+  result.file = file;
+  read_keys(top_keys(), document.find(""), result);
+  read_keys(mill_keys(), document.find("mill"), result);
+  read_keys(lifter_keys(), &lifter, result);
+  result.liner = build_liner(document, result.liner.sector, problems);
+  result.materials = build_materials(document, problems);
+  result.dem = build_dem(document);
+  result.campaign = build_campaign(document, problems);
+  result.gauge = build_gauge(document);
   result.pairs = build_pairs(document, result.materials, problems);
   result.liner_material = material_index(result.materials, lifter, "material",
                                          text_value(lifter, "material"), problems);
   result.wear = build_wear(document, result.materials, problems);
-  result.charge = build_charge(document, result.materials, result.liner.sector, problems);
+  result.charge =
+      build_charge(document, result.materials, result.liner.sector, result.slice_length, problems);
   problems.throw_if_any();
 
-  result.speed = build_speed(document, result.liner.sector, largest_diameter(result), problems);
+  result.speed = build_speed(document, result, problems);
   check_case(result, document, problems);
   problems.throw_if_any();
   return result;

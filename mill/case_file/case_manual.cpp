@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "mill/case_file/case_schema.h"
+#include "mill/case_keys/case_schema.h"
 
 namespace millwear {
 namespace {

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "mill/base/text_file.h"
-#include "mill/case_file/case_schema.h"
+#include "mill/case_keys/case_schema.h"
 
 namespace millwear {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
-#include "mill/case_file/case_document.h"
 #include "mill/case_file/case_problems.h"
+#include "mill/case_keys/case_document.h"
 
 namespace millwear {
 

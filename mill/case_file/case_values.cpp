@@ -3,7 +3,8 @@
 #include <charconv>
 #include <stdexcept>
 
-#include "mill/case_file/case_schema.h"
+#include "mill/case_keys/case_schema.h"
+#include "mill/case_keys/key_value.h"
 
 namespace millwear {
 namespace {
@@ -18,13 +19,6 @@ std::string_view default_of(const CaseTable& table, std::string_view key) {
     no_value(table, key);
   }
   return spec->default_text;
-}
-
-double number_in(const CaseValue& value) {
-  if (const auto* whole = std::get_if<std::int64_t>(&value.data)) {
-    return static_cast<double>(*whole);
-  }
-  return std::get<double>(value.data);
 }
 
 }  // namespace
@@ -51,10 +45,6 @@ double real_value(const CaseTable& table, std::string_view key) {
   return value;
 }
 
-int integer_value(const CaseTable& table, std::string_view key) {
-  return static_cast<int>(real_value(table, key));
-}
-
 bool boolean_value(const CaseTable& table, std::string_view key) {
   const CaseValue* const value = table.find(key);
   return value == nullptr ? default_of(table, key) == "true" : std::get<bool>(value->data);
@@ -73,11 +63,7 @@ std::vector<double> real_values(const CaseTable& table, std::string_view key) {
   if (value == nullptr) {
     no_value(table, key);
   }
-  std::vector<double> numbers;
-  for (const CaseValue& element : std::get<CaseArray>(value->data)) {
-    numbers.push_back(number_in(element));
-  }
-  return numbers;
+  return numbers_in(*value);
 }
 
 std::vector<std::string> text_values(const CaseTable& table, std::string_view key) {

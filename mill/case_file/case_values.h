@@ -5,14 +5,13 @@
 #include <string_view>
 #include <vector>
 
-#include "mill/case_file/case_document.h"
+#include "mill/case_keys/case_document.h"
 
 namespace millwear {
 
 /// Values of a table that has passed `check_against_schema`. A key that is missing has its default
 /// of the schema; without one, `std::logic_error` is thrown (the `optional_` ones return nothing).
 [[nodiscard]] double real_value(const CaseTable& table, std::string_view key);
-[[nodiscard]] int integer_value(const CaseTable& table, std::string_view key);
 [[nodiscard]] bool boolean_value(const CaseTable& table, std::string_view key);
 [[nodiscard]] std::string text_value(const CaseTable& table, std::string_view key);
 [[nodiscard]] std::vector<double> real_values(const CaseTable& table, std::string_view key);

@@ -25,8 +25,22 @@ std::optional<double> time_to_reversal(std::span<const double> reversal_times, d
   return reversal_times[next] - time;
 }
 
+Eigen::Vector2d as_turned(const Eigen::Vector2d& point, Rotation rotation) {
+  return rotation == Rotation::as_new ? point : Eigen::Vector2d(-point.x(), point.y());
+}
+
 LinerProfile as_turned(const LinerProfile& liner, Rotation rotation) {
   return rotation == Rotation::as_new ? liner : mirrored(liner);
+}
+
+std::vector<double> as_turned(const std::vector<double>& at_nodes, Rotation rotation) {
+  if (rotation == Rotation::as_new) return at_nodes;
+  return {at_nodes.rbegin(), at_nodes.rend()};
+}
+
+Eigen::MatrixXd by_bin_as_turned(const Eigen::MatrixXd& by_bin, Rotation rotation) {
+  if (rotation == Rotation::as_new) return by_bin;
+  return by_bin.colwise().reverse();
 }
 
 }  // namespace millwear

@@ -1,6 +1,8 @@
 #pragma once
+#include <Eigen/Core>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "mill/liner/liner_profile.h"
 
@@ -21,8 +23,19 @@ enum class Rotation { as_new, reversed };
 [[nodiscard]] std::optional<double> time_to_reversal(std::span<const double> reversal_times,
                                                      double time);
 
-/// The liner in a mill that always turns along the direction of xi, as the DEM's does: itself, or
-/// its mirror image where the mill turns the other way. Its own inverse.
+/// From the steel's frame to the DEM's and back. The DEM's mill always turns along the direction of
+/// xi, so it holds the mirror image of a liner whose mill is reversed. Each `as_turned` leaves what
+/// it is given where the mill turns as when new, and is its own inverse.
+
+/// A point of the master frame [m].
+[[nodiscard]] Eigen::Vector2d as_turned(const Eigen::Vector2d& point, Rotation rotation);
+
 [[nodiscard]] LinerProfile as_turned(const LinerProfile& liner, Rotation rotation);
+
+/// Values at the nodes of a profile, in the profile's order.
+[[nodiscard]] std::vector<double> as_turned(const std::vector<double>& at_nodes, Rotation rotation);
+
+/// Values of even bins along a profile, one quantity a column.
+[[nodiscard]] Eigen::MatrixXd by_bin_as_turned(const Eigen::MatrixXd& by_bin, Rotation rotation);
 
 }  // namespace millwear

@@ -8,6 +8,7 @@
 
 #include "mill/base/failure.h"
 #include "mill/base/user_table.h"
+#include "mill/load/drift_text.h"
 
 namespace millwear {
 namespace {
@@ -53,10 +54,6 @@ MixingRecord record_of(const UserTable& table, const MixingPlan& plan) {
   return record;
 }
 
-std::string spoken(const Drift& drift) {
-  return fmt::format("by {:.2g} % (limit {:.2g} %)", 100.0 * drift.relative, 100.0 * drift.limit);
-}
-
 }  // namespace
 
 std::string mixing_csv(const MixingRecord& record) {
@@ -92,17 +89,11 @@ MixingRecord mixing_from_csv(std::string_view text, const std::filesystem::path&
   return record;
 }
 
-std::string spoken_drift(const MixingRecord& record) {
-  const auto drift = mixing_drift(record.plan, record.pieces);
-  if (!drift) return "too early to tell a drift";
-  return fmt::format("torque drifts {}, kinetic energy {}", spoken(drift->torque),
-                     spoken(drift->kinetic_energy));
-}
-
 std::string spoken_mixing(const MixingRecord& record) {
   const bool steady = mixing_state(record.plan, record.pieces) == MixingState::steady;
   return fmt::format("mixed for {:.3g} revolutions{}: {}", record.revolutions(),
-                     steady ? "" : ", the most, and not steady", spoken_drift(record));
+                     steady ? "" : ", the most, and not steady",
+                     spoken_drift(mixing_drift(record.plan, record.pieces)));
 }
 
 }  // namespace millwear

@@ -26,10 +26,6 @@ struct MixingRecord {
 [[nodiscard]] MixingRecord mixing_from_csv(std::string_view text, const std::filesystem::path& file,
                                            const MixingPlan& plan);
 
-/// "torque drifts by 2.1 % (limit 5 %), kinetic energy by 0.8 % (limit 5 %)", or that it is too
-/// early to tell.
-[[nodiscard]] std::string spoken_drift(const MixingRecord& record);
-
 /// "mixed for 0.96 revolutions: torque drifts by ...", and that it is not steady where it ended so.
 [[nodiscard]] std::string spoken_mixing(const MixingRecord& record);
 

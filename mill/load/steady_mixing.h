@@ -14,6 +14,7 @@ struct MixingPlan {
   long left_out;    ///< at the beginning, while the charge falls
   long most;        ///< it ends then, steady or not
   long revolution;  ///< steps of one
+  bool operator==(const MixingPlan&) const = default;
 };
 
 /// Pieces of the window whose mean is compared with that of the window before.

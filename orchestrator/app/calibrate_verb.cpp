@@ -1,5 +1,8 @@
+#include "orchestrator/app/calibrate_verb.h"
+
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -7,9 +10,10 @@
 #include "mill/base/published_file.h"
 #include "mill/case/case_units.h"
 #include "mill/case_file/case_file.h"
-#include "orchestrator/app/verbs.h"
 #include "orchestrator/calibration/calibrated_law.h"
 #include "orchestrator/calibration/calibration_text.h"
+#include "orchestrator/campaign/open_campaign.h"
+#include "orchestrator/campaign/output_path.h"
 #include "orchestrator/gauge/gauge_folder.h"
 
 namespace millwear::orchestrator {
@@ -209,14 +213,24 @@ void print_text(const CalibratedLaw& law) {
 
 }  // namespace
 
-void calibrate_verb(const Command& command) {
-  const Case mill = read_case(command.case_file);
-  const RunFolder folder{command.out.empty() ? fs::path("runs") / mill.name : command.out};
-  if (command.csv) check_outside(*command.csv, folder);
-  const auto readings = needed_readings_in(gauge_folder(mill, command.readings), mill);
-  const CalibratedLaw law = calibrate(mill, folder, readings, command.until);
-  if (command.csv) publish(*command.csv, calibration_csv(law));
-  if (command.form == OutputForm::json)
+void add_options(CLI::App& verb, CalibrateOptions& options) {
+  add_options(verb, options.common);
+  add_campaign_folder(verb, options.out);
+  add_readings_folder(verb, options.readings);
+  verb.add_option("--until", options.until,
+                  "Fit to the readings up to these operating hours and predict the later ones")
+      ->check(CLI::PositiveNumber);
+  add_csv(verb, options.csv, "Write the readings beside what is fitted");
+}
+
+void calibrate_verb(const CalibrateOptions& options) {
+  const Case mill = read_case(options.common.case_file);
+  const RunFolder folder = run_folder_of(mill, options.out);
+  if (options.csv) check_output_file("--csv", *options.csv, {options.common.case_file});
+  const auto readings = needed_readings_in(gauge_folder(mill, options.readings), mill);
+  const CalibratedLaw law = calibrate(mill, folder, readings, options.until);
+  if (options.csv) publish(*options.csv, calibration_csv(law));
+  if (options.common.form == OutputForm::json)
     fmt::print("{}\n", json_of(law).dump(1));
   else
     print_text(law);

@@ -1,5 +1,8 @@
+#include "orchestrator/app/check_verb.h"
+
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -8,7 +11,6 @@
 #include "mill/case_file/case_file.h"
 #include "mill/case_file/case_warnings.h"
 #include "mill/liner/profile_measures.h"
-#include "orchestrator/app/verbs.h"
 #include "orchestrator/dem_run/cost_estimate.h"
 
 namespace millwear::orchestrator {
@@ -128,10 +130,12 @@ void print_check(const Case& mill, int ranks) {
 
 }  // namespace
 
-void check_verb(const Command& command) {
-  const Case mill = read_case(command.case_file);
-  const int ranks = command.ranks.value_or(ranks_for(mill));
-  if (command.form == OutputForm::json)
+void add_options(CLI::App& verb, CheckOptions& options) { add_options(verb, options.common); }
+
+void check_verb(const CheckOptions& options) {
+  const Case mill = read_case(options.common.case_file);
+  const int ranks = ranks_for(mill);
+  if (options.common.form == OutputForm::json)
     fmt::print("{}\n", check_json(mill, ranks).dump(1));
   else
     print_check(mill, ranks);

@@ -1,7 +1,11 @@
+#include "orchestrator/app/compare_verb.h"
+
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -11,9 +15,10 @@
 #include "mill/case_file/case_file.h"
 #include "mill/liner/profile_csv.h"
 #include "mill/liner/profile_measures.h"
-#include "orchestrator/app/verbs.h"
 #include "orchestrator/calibration/course_calibration.h"
 #include "orchestrator/calibration/course_comparison.h"
+#include "orchestrator/campaign/open_campaign.h"
+#include "orchestrator/campaign/output_path.h"
 #include "orchestrator/campaign/run_folder.h"
 #include "orchestrator/gauge/gauge_comparison.h"
 #include "orchestrator/gauge/gauge_folder.h"
@@ -28,6 +33,7 @@ using wear::ProfileDifference;
 
 constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
 constexpr double square_centimetres = 1e4;
+constexpr double most_hours = 1e6;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 Json json_of(const ProfileDifference& difference) {
@@ -129,89 +135,75 @@ void print_text(const ProfileDifference& difference) {
       1e3 * difference.hausdorff);
 }
 
-/// Where a campaign's results lie: in its `results`, or beside its case where only they were kept.
-fs::path results_in(const RunFolder& folder) {
-  return fs::exists(folder.results() / "history.csv") ? folder.results() : folder.root;
-}
-
-/// Throws where the folder holds no campaign, or one of another liner.
-void check_same_liner(const Case& mill, const RunFolder& folder) {
-  if (!fs::exists(folder.locked_case()) || !fs::exists(results_in(folder) / "history.csv"))
-    throw Failure(ExitCode::usage,
-                  fmt::format("{}: no campaign with results is here; `millwear run {}` makes one, "
-                              "or name its folder with --out",
-                              folder.root.string(), mill.file.string()));
-  const LinerProfile liner = read_case(folder.locked_case()).liner;
-  const auto& sector = mill.liner.sector;
-  if (liner.nodes != mill.liner.nodes || liner.sector.rows != sector.rows ||
-      liner.sector.shell_radius != sector.shell_radius ||
-      liner.sector.plate_radius != sector.plate_radius)
-    throw InputError(fmt::format(
-        "{}: its new liner is not that of the campaign in {} ({} has that one in full); name the "
-        "campaign's folder with --out",
-        mill.file.string(), folder.root.string(), folder.locked_case().string()));
-}
-
 /// How far to calibrate [h]; none where neither the command nor the case says.
-std::optional<double> calibrate_until(const Command& command, const Case& mill) {
-  const auto until = command.calibrate_until ? command.calibrate_until : mill.gauge.calibrate_until;
+std::optional<double> calibrate_until(const CompareOptions& options, const Case& mill) {
+  const auto until = options.calibrate_until ? options.calibrate_until : mill.gauge.calibrate_until;
   return until == 0.0 ? std::nullopt : until;
 }
 
-void compare_calibrated(const Command& command, const Case& mill, const fs::path& results,
+void compare_calibrated(const CompareOptions& options, const Case& mill, const fs::path& results,
                         const std::vector<GaugeReading>& readings, double until) {
   CampaignCourse campaign{read_history_csv(results / "history.csv"), {}};
   if (const auto replicates = results / "replicates.csv"; fs::exists(replicates))
     campaign.replicates = read_replicates_csv(replicates);
   const CalibratedCourse course = calibrated_course(
-      mill, campaign, readings, {until, command.gauge_on.value_or(GaugeOn::new_plate)});
-  if (command.csv) publish(*command.csv, course_csv(course));
-  if (command.plot) publish(*command.plot, course_png(course));
-  fmt::print("{}{}", command.form == OutputForm::json ? course_json(course) : course_text(course),
-             command.form == OutputForm::json ? "\n" : "");
+      mill, campaign, readings, {until, options.gauge_on.value_or(GaugeOn::new_plate)});
+  if (options.csv) publish(*options.csv, course_csv(course));
+  if (options.plot) publish(*options.plot, course_png(course));
+  fmt::print("{}{}",
+             options.common.form == OutputForm::json ? course_json(course) : course_text(course),
+             options.common.form == OutputForm::json ? "\n" : "");
 }
 
-void compare_as_run(const Command& command, const Case& mill, const fs::path& results,
+void compare_as_run(const CompareOptions& options, const Case& mill, const fs::path& results,
                     const std::vector<GaugeReading>& readings) {
   const auto comparisons =
       compare_with(readings, read_history_csv(results / "history.csv"),
                    read_profiles_csv(results / "profiles.csv"), mill.liner.sector);
-  if (command.csv) publish(*command.csv, comparison_csv(comparisons));
-  if (command.form == OutputForm::json)
+  if (options.csv) publish(*options.csv, comparison_csv(comparisons));
+  if (options.common.form == OutputForm::json)
     fmt::print("{}\n", json_of(comparisons).dump(1));
   else
     print_text(comparisons);
 }
 
 /// Throws Failure (usage) where an option asks for a calibration and there is none.
-void check_usage(const Command& command, const Case& mill) {
-  if (!command.gauge_on && !command.plot && !command.calibrate_until) return;
-  if (!command.compared_profiles.empty())
+void check_usage(const CompareOptions& options, const Case& mill) {
+  if (!options.gauge_on && !options.plot && !options.calibrate_until) return;
+  if (!options.compared_profiles.empty())
     throw Failure(ExitCode::usage,
                   "--profiles compares two profiles alone; leave --calibrate-until, --gauge-on and "
                   "--plot out");
-  if ((command.gauge_on || command.plot) && !calibrate_until(command, mill))
+  if ((options.gauge_on || options.plot) && !calibrate_until(options, mill))
     throw Failure(ExitCode::usage,
                   "--gauge-on and --plot are for calibrated hours; add --calibrate-until HOURS, or "
                   "`calibrate_until_hours` in the case's [gauge]");
 }
 
-void compare_campaign(const Command& command, const Case& mill) {
-  const RunFolder folder{command.out.empty() ? fs::path("runs") / mill.name : command.out};
-  const auto readings = needed_readings_in(gauge_folder(mill, command.readings), mill);
-  check_same_liner(mill, folder);
-  if (const auto until = calibrate_until(command, mill))
-    compare_calibrated(command, mill, results_in(folder), readings, *until);
-  else
-    compare_as_run(command, mill, results_in(folder), readings);
+void check_outputs(const CompareOptions& options) {
+  if (options.csv) check_output_file("--csv", *options.csv, {options.common.case_file});
+  if (options.plot)
+    check_output_file("--plot", *options.plot,
+                      {options.common.case_file, options.csv.value_or(fs::path{})});
 }
 
-void compare_profiles(const Command& command, const Case& mill) {
+void compare_campaign(const CompareOptions& options, const Case& mill) {
+  check_outputs(options);
+  const RunFolder folder = run_folder_of(mill, options.out);
+  const auto readings = needed_readings_in(gauge_folder(mill, options.readings), mill);
+  const fs::path results = results_of(mill, folder);
+  if (const auto until = calibrate_until(options, mill))
+    compare_calibrated(options, mill, results, readings, *until);
+  else
+    compare_as_run(options, mill, results, readings);
+}
+
+void compare_profiles(const CompareOptions& options, const Case& mill) {
   const auto& sector = mill.liner.sector;
   const ProfileDifference difference =
-      wear::compare(read_profile_csv(command.compared_profiles.at(0), sector),
-                    read_profile_csv(command.compared_profiles.at(1), sector));
-  if (command.form == OutputForm::json)
+      wear::compare(read_profile_csv(options.compared_profiles.at(0), sector),
+                    read_profile_csv(options.compared_profiles.at(1), sector));
+  if (options.common.form == OutputForm::json)
     fmt::print("{}\n", json_of(difference).dump(1));
   else
     print_text(difference);
@@ -219,13 +211,35 @@ void compare_profiles(const Command& command, const Case& mill) {
 
 }  // namespace
 
-void compare_verb(const Command& command) {
-  const Case mill = read_case(command.case_file);
-  check_usage(command, mill);
-  if (command.compared_profiles.empty())
-    compare_campaign(command, mill);
+void add_options(CLI::App& verb, CompareOptions& options) {
+  const std::map<std::string, GaugeOn> gauges{{"new-plate", GaugeOn::new_plate},
+                                              {"plate", GaugeOn::plate}};
+  add_options(verb, options.common);
+  add_campaign_folder(verb, options.out);
+  add_readings_folder(verb, options.readings);
+  add_csv(verb, options.csv, "Write the comparison with the readings as a table");
+  verb.add_option("--profiles", options.compared_profiles,
+                  "Two profiles (CSV) to compare, in place of the campaign and the readings")
+      ->expected(2);
+  verb.add_option("--calibrate-until", options.calibrate_until,
+                  "Calibrate the campaign's hours on the heights read up to these operating hours "
+                  "and predict the later ones; by default the case's [gauge] "
+                  "calibrate_until_hours; 0 for not at all")
+      ->check(CLI::Range(0.0, most_hours));
+  verb.add_option("--gauge-on", options.gauge_on,
+                  "With --calibrate-until: what the heights were read from: new-plate, where the "
+                  "plate was when new (by default), or plate, the worn plate that a gauge rests on")
+      ->transform(CLI::CheckedTransformer(gauges).description(""));
+  verb.add_option("--plot", options.plot, "With --calibrate-until: draw it (PNG) with gnuplot");
+}
+
+void compare_verb(const CompareOptions& options) {
+  const Case mill = read_case(options.common.case_file);
+  check_usage(options, mill);
+  if (options.compared_profiles.empty())
+    compare_campaign(options, mill);
   else
-    compare_profiles(command, mill);
+    compare_profiles(options, mill);
 }
 
 }  // namespace millwear::orchestrator

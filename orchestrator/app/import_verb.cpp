@@ -1,5 +1,9 @@
+#include "orchestrator/app/import_verb.h"
+
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -7,14 +11,19 @@
 #include "mill/base/number_or_null.h"
 #include "mill/case_file/case_file.h"
 #include "mill/liner/profile_measures.h"
-#include "orchestrator/app/verbs.h"
+#include "orchestrator/campaign/output_path.h"
 #include "orchestrator/gauge/gauge_folder.h"
 #include "orchestrator/gauge/gauge_import.h"
 
 namespace millwear::orchestrator {
 namespace {
 
+namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
+
+constexpr double most_hours = 1e6;
+constexpr double least_error_mm = 0.01;
+constexpr double most_error_mm = 100.0;
 
 constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
 constexpr double metres_per_millimetre = 1e-3;
@@ -36,8 +45,14 @@ void check_usage(const ImportOptions& options) {
     wrong_usage("--align, --mirror, --unit, --layer and --reference go with the file of a profile");
 }
 
-ImportRequest request_of(const Command& command, const Case& mill) {
-  const ImportOptions& options = command.import;
+/// The reading's own files must not take the place of the file that it is read from.
+void check_is_not_overwritten(const ImportOptions& options, const ImportRequest& request) {
+  if (!fs::is_directory(request.folder)) return;
+  for (const auto& name : {profile_name(options.hours), std::string(gauge_table_name)})
+    check_output_file("--readings", request.folder / name, {*options.curve});
+}
+
+ImportRequest request_of(const ImportOptions& options, const Case& mill) {
   check_usage(options);
   const auto metres = [](std::optional<double> millimetres) -> std::optional<double> {
     if (!millimetres) return std::nullopt;
@@ -51,7 +66,7 @@ ImportRequest request_of(const Command& command, const Case& mill) {
                         .lifter_height = metres(options.height_mm),
                         .plate_thickness = metres(options.plate_mm),
                         .reference = options.reference,
-                        .folder = gauge_folder(mill, command.readings)};
+                        .folder = gauge_folder(mill, options.readings)};
   if (options.curve) request.curve = CurveFile{*options.curve, options.unit, options.layer};
   return request;
 }
@@ -115,12 +130,41 @@ void print_text(const ImportRequest& request, const ImportedReading& imported) {
 
 }  // namespace
 
-void import_verb(const Command& command) {
-  const Case mill = read_case(command.case_file);
-  const ImportRequest request = request_of(command, mill);
+void add_options(CLI::App& verb, ImportOptions& options) {
+  const std::map<std::string, LengthUnit> units{{"m", LengthUnit::metre},
+                                                {"mm", LengthUnit::millimetre}};
+  const std::map<std::string, AlignmentMode> modes{
+      {"none", AlignmentMode::none}, {"ends", AlignmentMode::ends}, {"fit", AlignmentMode::fit}};
+  add_options(verb, options.common);
+  add_readings_folder(verb, options.readings);
+  verb.add_option("file", options.curve, "CSV (xi_m,eta_m or x,y) or DXF of the worn profile");
+  verb.add_option("--hours", options.hours, "Operating hours since the liner was new")
+      ->required()
+      ->check(CLI::Range(0.0, most_hours));
+  verb.add_option("--unit", options.unit, "Unit of x and y, or of a DXF: m or mm")
+      ->transform(CLI::CheckedTransformer(units).description(""));
+  verb.add_option("--layer", options.layer, "Layer of a DXF that the profile is on");
+  verb.add_option("--align", options.align,
+                  "none: it is in the master frame (xi_m,eta_m); ends: by its two ends on the "
+                  "plate; fit: by its unworn parts (x,y and DXF)")
+      ->transform(CLI::CheckedTransformer(modes).description(""));
+  verb.add_flag("--mirror", options.mirror, "The profile was seen from the other end of the mill");
+  verb.add_option("--reference", options.reference,
+                  "CSV of a profile to align with, in place of the new liner");
+  verb.add_option("--error-mm", options.error_mm, "Standard error of a length; by default 1 mm")
+      ->check(CLI::Range(least_error_mm, most_error_mm));
+  verb.add_option("--height-mm", options.height_mm, "A lifter height, in place of a profile");
+  verb.add_option("--plate-mm", options.plate_mm,
+                  "Steel over the shell; with --align ends that under the profile's ends");
+}
+
+void import_verb(const ImportOptions& options) {
+  const Case mill = read_case(options.common.case_file);
+  const ImportRequest request = request_of(options, mill);
   const ImportedReading imported = prepare_reading(mill, request);
+  if (options.curve) check_is_not_overwritten(options, request);
   publish_reading(imported, request.folder);
-  if (command.form == OutputForm::json)
+  if (options.common.form == OutputForm::json)
     print_json(request, imported);
   else
     print_text(request, imported);

@@ -8,7 +8,7 @@
 #include <exception>
 
 #include "mill/base/failure.h"
-#include "orchestrator/app/verbs.h"
+#include "orchestrator/app/command_line.h"
 #include "orchestrator/dem_run/child_process.h"
 
 namespace {
@@ -31,42 +31,15 @@ void flush_results() {
         fmt::format("standard output: the result cannot be written: {}", std::strerror(errno)));
 }
 
-void carry_out(const Command& command) {
-  switch (command.verb) {
-    case Verb::check:
-      return check_verb(command);
-    case Verb::mesh:
-      return mesh_verb(command);
-    case Verb::deck:
-      return deck_verb(command);
-    case Verb::run:
-      return run_verb(command);
-    case Verb::status:
-      return status_verb(command);
-    case Verb::report:
-      return report_verb(command);
-    case Verb::wear:
-      return wear_verb(command);
-    case Verb::import:
-      return import_verb(command);
-    case Verb::compare:
-      return compare_verb(command);
-    case Verb::calibrate:
-      return calibrate_verb(command);
-    case Verb::tune:
-      return tune_verb(command);
-  }
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
   hold_standard_streams();
   try {
     const ParsedCommandLine parsed = parse_command_line(argc, argv);
-    if (!parsed.command) return parsed.exit_code;
+    if (!parsed.action) return parsed.exit_code;
     note_interrupts();
-    carry_out(*parsed.command);
+    parsed.action();
     flush_results();
     return static_cast<int>(ExitCode::ok);
   } catch (const Failure& failure) {

@@ -1,7 +1,10 @@
+#include "orchestrator/app/tune_verb.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <stdlib.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -10,11 +13,11 @@
 #include "mill/base/failure.h"
 #include "mill/base/whole_file.h"
 #include "mill/case_file/case_file.h"
-#include "orchestrator/app/verbs.h"
 #include "orchestrator/campaign/campaign.h"
 #include "orchestrator/campaign/case_difference.h"
 #include "orchestrator/campaign/ledger.h"
 #include "orchestrator/campaign/mesh_files.h"
+#include "orchestrator/campaign/open_campaign.h"
 #include "orchestrator/campaign/run_lock.h"
 #include "orchestrator/dem_run/child_process.h"
 #include "orchestrator/dem_run/cost_estimate.h"
@@ -56,19 +59,9 @@ class ScratchFolder {
   fs::path path_;
 };
 
-/// The campaign's ledger up to its first mixing, where it has come to that.
-std::optional<Ledger> mixed_part(const RunFolder& folder) {
-  const auto ledger = read_ledger(folder.ledger());
-  if (!ledger || ledger->find({0, StageKind::mix}) == nullptr) return std::nullopt;
-  Ledger part{ledger->start, {}};
-  for (const StageKind kind : {StageKind::mesh, StageKind::mix})
-    if (const auto* const entry = ledger->find({0, kind})) part.entries.push_back(*entry);
-  return part;
-}
-
 /// Throws InputError unless mill, charge and contacts are those of the campaign in the folder.
-void check_same_charge(const Case& here, const RunFolder& folder) {
-  const Case there = read_case(folder.locked_case());
+void check_same_charge(const Case& here, const Campaign& campaign) {
+  const Case& there = campaign.mill;
   Case like_there = here;
   like_there.wear = there.wear;
   like_there.campaign = there.campaign;
@@ -83,7 +76,7 @@ void check_same_charge(const Case& here, const RunFolder& folder) {
     throw InputError(fmt::format(
         "{}: the mixed charge in {} is of another case; it differs in {}; name a folder without a "
         "campaign with --out for a trial on a charge of its own",
-        here.file.string(), folder.root.string(), fmt::join(texts, ", ")));
+        here.file.string(), campaign.folder.root.string(), fmt::join(texts, ", ")));
 }
 
 void copy_stage(const RunFolder& from, const RunFolder& to, StageKind kind) {
@@ -112,20 +105,28 @@ void make_charge(Campaign campaign, Progress& progress) {
 
 }  // namespace
 
-void tune_verb(const Command& command) {
-  const Case mill = read_case(command.case_file);
+void add_options(CLI::App& verb, TuneOptions& options) {
+  add_options(verb, options.common);
+  verb.add_option("--out", options.out,
+                  "Folder of a campaign whose mixed charge is taken if it has one; by default "
+                  "runs/NAME");
+  add_ranks(verb, options.ranks);
+}
+
+void tune_verb(const TuneOptions& options) {
+  const Case mill = read_case(options.common.case_file);
   check_liggghts_is_installed(mill.dem.contact_path);
-  const RunFolder source{command.out.empty() ? fs::path("runs") / mill.name : command.out};
-  const auto kept = mixed_part(source);
+  const RunFolder source = run_folder_of(mill, options.out);
+  const auto kept = campaign_up_to_mixing(source);
   std::optional<RunLock> lock;
   if (kept) {
     lock.emplace(source.lock());
-    check_same_charge(mill, source);
-    check_outputs(*kept, source.root);
+    check_same_charge(mill, kept->campaign);
+    check_outputs(kept->ledger, source.root);
   }
   const ScratchFolder scratch;
-  const Campaign campaign{mill, {scratch.path()}, command.ranks.value_or(ranks_for(mill))};
-  Progress progress(command.verbosity);
+  const Campaign campaign{mill, {scratch.path()}, options.ranks.value_or(ranks_for(mill))};
+  Progress progress(options.common.verbosity);
   if (kept) {
     progress.say(fmt::format("with the mixed charge of {}", source.root.string()));
     copy_stage(source, campaign.folder, StageKind::mesh);
@@ -135,8 +136,8 @@ void tune_verb(const Command& command) {
   }
   run_one(campaign, StageKind::tune, progress, kept ? 0.0 : share_before_trial, 1.0);
   const fs::path file = campaign.folder.stage({0, StageKind::tune}) / stage_files::tuning;
-  fmt::print("{}",
-             command.form == OutputForm::json ? read_file(file) : tuning_text(read_tuning(file)));
+  fmt::print("{}", options.common.form == OutputForm::json ? read_file(file)
+                                                           : tuning_text(read_tuning(file)));
 }
 
 }  // namespace millwear::orchestrator

@@ -1,20 +1,25 @@
 #pragma once
-#include "orchestrator/app/command_line.h"
+#include <functional>
+#include <span>
+
+namespace CLI {
+class App;
+}
 
 namespace millwear::orchestrator {
 
-/// Each carries out one verb and prints its result to standard output. They throw Failures and
-/// Interrupted.
-void check_verb(const Command& command);
-void mesh_verb(const Command& command);
-void deck_verb(const Command& command);
-void run_verb(const Command& command);
-void status_verb(const Command& command);
-void report_verb(const Command& command);
-void wear_verb(const Command& command);
-void import_verb(const Command& command);
-void compare_verb(const Command& command);
-void calibrate_verb(const Command& command);
-void tune_verb(const Command& command);
+/// A row of the table of verbs.
+struct Verb {
+  const char* name;
+  const char* help;      ///< one line
+  const char* examples;  ///< command lines, each after two blanks
+  /// Adds the verb's options to its command line. What it returns carries the verb out with the
+  /// options as they were parsed: it prints the result to standard output, and throws Failures and
+  /// Interrupted.
+  std::function<void()> (*prepare)(CLI::App& command_line);
+};
+
+/// All verbs, in the order of --help. A new verb is a file of its own and a row here.
+[[nodiscard]] std::span<const Verb> verbs();
 
 }  // namespace millwear::orchestrator

@@ -1,13 +1,17 @@
+#include "orchestrator/app/wear_verb.h"
+
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "mill/base/number_or_null.h"
 #include "mill/base/published_file.h"
 #include "mill/case_file/case_file.h"
-#include "orchestrator/app/verbs.h"
 #include "orchestrator/calibration/reapplied_law.h"
+#include "orchestrator/campaign/open_campaign.h"
+#include "orchestrator/campaign/output_path.h"
 
 namespace millwear::orchestrator {
 namespace {
@@ -89,13 +93,19 @@ void print_text(const ReappliedLaw& law) {
 
 }  // namespace
 
-void wear_verb(const Command& command) {
-  const Case mill = read_case(command.case_file);
-  const RunFolder folder{command.out.empty() ? fs::path("runs") / mill.name : command.out};
-  if (command.csv) check_outside(*command.csv, folder);
+void add_options(CLI::App& verb, WearOptions& options) {
+  add_options(verb, options.common);
+  add_campaign_folder(verb, options.out);
+  add_csv(verb, options.csv, "Write the depth rate by cycle, mechanism and bin");
+}
+
+void wear_verb(const WearOptions& options) {
+  const Case mill = read_case(options.common.case_file);
+  const RunFolder folder = run_folder_of(mill, options.out);
+  if (options.csv) check_output_file("--csv", *options.csv, {options.common.case_file});
   const ReappliedLaw law = reapply(mill, folder);
-  if (command.csv) publish(*command.csv, wear_rates_csv(wear_rates(law, folder)));
-  if (command.form == OutputForm::json)
+  if (options.csv) publish(*options.csv, wear_rates_csv(wear_rates(law, folder)));
+  if (options.common.form == OutputForm::json)
     fmt::print("{}\n", json_of(law).dump(1));
   else
     print_text(law);

@@ -12,7 +12,7 @@
 #include "orchestrator/calibration/campaign_path.h"
 #include "orchestrator/calibration/reapplied_law.h"
 #include "orchestrator/campaign/case_difference.h"
-#include "orchestrator/campaign/kept_campaign.h"
+#include "orchestrator/campaign/open_campaign.h"
 #include "wear/calibrate/angular_zones.h"
 #include "wear/calibrate/path_prediction.h"
 
@@ -243,7 +243,7 @@ void check_some_fitted(const std::vector<wear::LossObservation>& observations,
 
 CalibratedLaw calibrate(const Case& mill, const RunFolder& folder,
                         const std::vector<GaugeReading>& readings, std::optional<double> until) {
-  const KeptCampaign kept = kept_campaign(folder);
+  const OpenCampaign kept = campaign_with_loads(folder);
   const Case& run = kept.campaign.mill;
   const Case other = with_law_of(mill, run, folder.root.string());
   const auto cycles = path_cycles(kept, other);

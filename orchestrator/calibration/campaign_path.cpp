@@ -11,7 +11,7 @@
 namespace millwear::orchestrator {
 namespace {
 
-std::vector<wear::PathStep> steps_of(const KeptCampaign& kept, int cycle) {
+std::vector<wear::PathStep> steps_of(const OpenCampaign& kept, int cycle) {
   const StageId worn{cycle, StageKind::wear};
   if (kept.ledger.find(worn) == nullptr) return {};
   const auto read = read_cycle(kept.campaign.folder.stage(worn) / stage_files::steps,
@@ -24,14 +24,13 @@ std::vector<wear::PathStep> steps_of(const KeptCampaign& kept, int cycle) {
 
 /// The smoothed rate of a load, along the liner in the steel's frame.
 wear::ArcCurve rate_along_steel(const Case& mill, const WallLoad& recorded, Rotation rotation) {
-  wear::ArcCurve rate = wear::rate_of_load(mill.wear, mill.charge.classes, recorded).smoothed.rate;
-  if (rotation == Rotation::reversed) rate.values.reverseInPlace();
-  return rate;
+  return as_turned(wear::rate_of_load(mill.wear, mill.charge.classes, recorded).smoothed.rate,
+                   rotation);
 }
 
 }  // namespace
 
-std::vector<wear::PathCycle> path_cycles(const KeptCampaign& kept, const Case& other) {
+std::vector<wear::PathCycle> path_cycles(const OpenCampaign& kept, const Case& other) {
   const Campaign& campaign = kept.campaign;
   std::vector<wear::PathCycle> cycles;
   for (int cycle = 0; kept.ledger.find({cycle, StageKind::dem}) != nullptr; ++cycle) {

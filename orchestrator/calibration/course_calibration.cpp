@@ -67,7 +67,7 @@ void check_reached(const wear::Course& course, const std::vector<wear::DatedLeng
           1e3 * height.value, height.time, 1e3 * course.values.minCoeff()));
 }
 
-void check_fit(const wear::FactorFit& fit, const CourseQuantities& courses, double until) {
+void check_fit(const wear::CourseFactor& fit, const CourseQuantities& courses, double until) {
   if (fit.place == wear::FactorPlace::not_worn)
     throw InputError(
         fmt::format("the heights read up to {:g} h show no wear of the {:.1f} mm of the new "
@@ -117,7 +117,7 @@ CalibratedCourse calibrated_course(const Case& mill, const CampaignCourse& campa
     throw InputError("the campaign has no geometry step yet; let `millwear run` go on until then");
   const CourseQuantities courses = courses_of(campaign.history, how.gauge_on);
   const auto heights = needed_heights(readings, how.until);
-  const wear::FactorFit fit = wear::factor_of(courses.gauge, heights);
+  const wear::CourseFactor fit = wear::factor_of(courses.gauge, heights);
   check_reached(courses.gauge, heights);
   check_fit(fit, courses, how.until);
   const CalibratedReplicates replicates = calibrated_replicates(campaign, heights, how.gauge_on);
@@ -161,7 +161,7 @@ CalibratedCourse calibrated_course(const Case& mill, const CampaignCourse& campa
 }
 
 void add_calibrated_course(const Case& mill, const std::vector<GaugeReading>& readings,
-                           ReportData& data) {
+                           CampaignResults& data) {
   if (!mill.gauge.calibrate_until || readings.empty() || data.history.size() < 2) return;
   try {
     data.calibrated = calibrated_course(mill, {data.history, data.replicates}, readings,

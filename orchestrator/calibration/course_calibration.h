@@ -4,7 +4,7 @@
 #include "mill/case/case.h"
 #include "mill/liner/gauge_reading.h"
 #include "orchestrator/results/calibrated_course.h"
-#include "orchestrator/results/report_data.h"
+#include "orchestrator/results/campaign_results.h"
 
 namespace millwear::orchestrator {
 
@@ -35,6 +35,6 @@ struct CourseCalibration {
 /// Gives the report the calibrated course where the case says how far to calibrate; where that
 /// cannot be done yet, a warning.
 void add_calibrated_course(const Case& mill, const std::vector<GaugeReading>& readings,
-                           ReportData& data);
+                           CampaignResults& data);
 
 }  // namespace millwear::orchestrator

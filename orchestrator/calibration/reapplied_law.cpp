@@ -7,8 +7,8 @@
 #include "mill/liner/profile_measures.h"
 #include "orchestrator/campaign/campaign.h"
 #include "orchestrator/campaign/case_difference.h"
-#include "orchestrator/campaign/kept_campaign.h"
 #include "orchestrator/campaign/kept_cycle.h"
+#include "orchestrator/campaign/open_campaign.h"
 #include "orchestrator/campaign/stage_order.h"
 #include "orchestrator/dem_run/measured.h"
 #include "wear/numerics/block_means.h"
@@ -78,7 +78,7 @@ LawOnLoad law_on_load(const Case& campaign, const Case& other, const WallLoad& r
 }
 
 ReappliedLaw reapply(const Case& mill, const RunFolder& folder) {
-  const auto [campaign, ledger] = kept_campaign(folder);
+  const auto [campaign, ledger] = campaign_with_loads(folder);
   const Case& run = campaign.mill;
   ReappliedLaw result{run,
                       with_law_of(mill, run, folder.root.string()),

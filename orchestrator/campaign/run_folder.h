@@ -19,9 +19,6 @@ struct RunFolder {
   [[nodiscard]] std::filesystem::path partial_stage(const StageId& id) const;
 };
 
-/// Throws Failure (usage) where a file would lie among the campaign's own.
-void check_outside(const std::filesystem::path& file, const RunFolder& folder);
-
 /// Files of the stages, named from the stage's own folder.
 namespace stage_files {
 inline constexpr const char* mesh = "liner.stl";

@@ -2,25 +2,20 @@
 
 #include <fmt/format.h>
 
+#include "liggghts_inputs/decks/deck.h"
 #include "mill/base/whole_file.h"
 #include "mill/case/time_step.h"
+#include "mill/load/drift_text.h"
+#include "mill/recording/recorder_lines.h"
+#include "mill/recording/recorder_orders.h"
 #include "orchestrator/campaign/run_folder.h"
 
 namespace millwear::orchestrator {
 
 std::vector<std::string> mixing_arguments(const Case& mill) {
-  const MixingPlan plan = mixing_plan(mill, plan_steps(mill));
-  return {"mix",
-          "--record",
-          stage_files::mixing,
-          "--piece",
-          std::to_string(plan.piece),
-          "--after",
-          std::to_string(plan.left_out),
-          "--at-most",
-          std::to_string(plan.most),
-          "--revolution",
-          std::to_string(plan.revolution)};
+  return to_arguments(MixingOptions{.deck = liggghts::file_names::deck,
+                                    .record = stage_files::mixing,
+                                    .plan = mixing_plan(mill, plan_steps(mill))});
 }
 
 MixingRecord read_mixing(const Case& mill, const std::filesystem::path& folder) {
@@ -30,9 +25,8 @@ MixingRecord read_mixing(const Case& mill, const std::filesystem::path& folder) 
 
 std::function<void(std::string_view)> drift_follower(const std::string& stage, Progress& progress) {
   return [stage, &progress](std::string_view line) {
-    if (!line.starts_with("millwear: step ")) return;
-    const auto words = line.substr(line.find(','));
-    progress.rename(fmt::format("{}{}", stage, words.substr(0, words.find(" ("))));
+    if (const auto told = mixing_line(line))
+      progress.rename(fmt::format("{}, {}", stage, spoken_torque_drift(told->drift)));
   };
 }
 

@@ -11,8 +11,7 @@
 
 namespace millwear::orchestrator {
 
-/// What millwear-recorder is told of a mixing stretch that ends once it is steady, besides its
-/// deck.
+/// What millwear-recorder is told of a mixing stretch that ends once it is steady.
 [[nodiscard]] std::vector<std::string> mixing_arguments(const Case& mill);
 
 /// How a mixing stretch in `folder` went that may end once it is steady. Throws DiskError where it

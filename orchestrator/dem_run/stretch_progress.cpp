@@ -1,26 +1,11 @@
 #include "orchestrator/dem_run/stretch_progress.h"
 
 #include <algorithm>
-#include <charconv>
 
 #include "liggghts_inputs/outputs/run_log.h"
+#include "mill/recording/recorder_lines.h"
 
 namespace millwear::orchestrator {
-namespace {
-
-constexpr std::string_view from_recorder = "millwear: step ";
-constexpr std::string_view expected = "perhaps to ";
-
-/// The whole number behind `words` in a line, or 0.
-double number_after(std::string_view line, std::string_view words) {
-  const auto place = line.find(words);
-  if (place == std::string_view::npos) return 0.0;
-  long number = 0;
-  std::from_chars(line.data() + place + words.size(), line.data() + line.size(), number);
-  return static_cast<double>(number);
-}
-
-}  // namespace
 
 StretchProgress::StretchProgress(const liggghts::StretchSteps& planned)
     : expected_end_(static_cast<double>(planned.total())) {
@@ -29,10 +14,10 @@ StretchProgress::StretchProgress(const liggghts::StretchSteps& planned)
 }
 
 bool StretchProgress::take(std::string_view line) {
-  if (line.starts_with(from_recorder) && line.find(expected) != std::string_view::npos) {
-    from_step_ = number_after(line, from_recorder);
+  if (const auto told = measuring_line(line); told && told->next) {
+    from_step_ = static_cast<double>(told->step);
     from_done_ = done_;
-    expected_end_ = number_after(line, expected);
+    expected_end_ = static_cast<double>(told->next->expected_step);
     return true;
   }
   liggghts::ThermoLine thermo{};

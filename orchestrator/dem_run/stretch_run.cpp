@@ -15,6 +15,7 @@
 
 #include "liggghts_inputs/decks/deck.h"
 #include "mill/base/failure.h"
+#include "mill/recording/recorder_orders.h"
 #include "orchestrator/dem_run/child_process.h"
 
 namespace millwear::orchestrator {
@@ -110,7 +111,6 @@ std::vector<std::string> command_of(const StretchRun& run) {
   command.push_back(run.recorder->program.string());
   const auto& more = run.recorder->arguments;
   command.insert(command.end(), more.begin(), more.end());
-  command.insert(command.end(), {"--in", liggghts::file_names::deck});
   return command;
 }
 
@@ -132,7 +132,7 @@ std::filesystem::path recorder_program() {
 
 std::optional<RecorderProgram> unrecorded_program(ContactPath path) {
   if (path == ContactPath::dumps) return std::nullopt;
-  return RecorderProgram{recorder_program(), {"run"}};
+  return RecorderProgram{recorder_program(), to_arguments(RunOptions{liggghts::file_names::deck})};
 }
 
 void check_liggghts_is_installed(ContactPath path) {

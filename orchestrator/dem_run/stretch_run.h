@@ -10,7 +10,7 @@
 
 namespace millwear::orchestrator {
 
-/// millwear-recorder in the place of liggghts: what it is told besides the deck.
+/// millwear-recorder in the place of liggghts, and what it is told.
 struct RecorderProgram {
   std::filesystem::path program;
   std::vector<std::string> arguments;

@@ -10,6 +10,7 @@
 #include "liggghts_inputs/outputs/stretch_log.h"
 #include "mill/base/failure.h"
 #include "mill/base/whole_file.h"
+#include "mill/recording/recorder_orders.h"
 #include "orchestrator/campaign/mesh_files.h"
 #include "orchestrator/dem_run/mixing.h"
 #include "orchestrator/dem_run/stretch_measures.h"
@@ -203,22 +204,22 @@ void write_measuring_deck(const Campaign& campaign, int cycle, const fs::path& i
 
 std::vector<std::string> recorder_arguments(const Case& mill) {
   const auto steps = liggghts::measuring_steps(mill, plan_steps(mill));
-  std::vector<std::string> arguments = {"--case",  locked_case_from_stage,
-                                        "--liner", profile_from_stage,
-                                        "--load",  stage_files::load,
-                                        "--after", std::to_string(steps.settle_steps),
-                                        "--until", std::to_string(steps.total()),
-                                        "--every", std::to_string(steps.sample_steps)};
-  if (mill.dem.keep_events) arguments.insert(arguments.end(), {"--events", stage_files::events});
-  if (steps.pair_steps > 0)
-    arguments.insert(arguments.end(),
-                     {"--pairs-after", std::to_string(steps.total() - steps.pair_steps)});
+  RecordingPlan plan{.deck = names::deck,
+                     .mill = locked_case_from_stage,
+                     .liner = profile_from_stage,
+                     .load = stage_files::load,
+                     .events = {},
+                     .first_step = steps.settle_steps,
+                     .last_step = steps.total(),
+                     .every_steps = steps.sample_steps,
+                     .pairs_after = {},
+                     .going_on = {}};
+  if (mill.dem.keep_events) plan.events = stage_files::events;
+  if (steps.pair_steps > 0) plan.pairs_after = steps.total() - steps.pair_steps;
   if (mill.dem.error_target)
-    arguments.insert(arguments.end(),
-                     {"--target-error", fmt::format("{}", mill.dem.error_target->relative_error),
-                      "--go-on-by", std::to_string(steps.go_on_steps), "--at-most",
-                      std::to_string(steps.settle_steps + steps.most_measure_steps)});
-  return arguments;
+    plan.going_on = GoingOn{mill.dem.error_target->relative_error, steps.go_on_steps,
+                            steps.settle_steps + steps.most_measure_steps};
+  return to_arguments(plan);
 }
 
 void mix_stage(const Campaign& campaign, int cycle, const fs::path& into, Progress& progress) {

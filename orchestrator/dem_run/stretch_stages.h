@@ -20,8 +20,7 @@ void dem_stage(const Campaign& campaign, int cycle, const std::filesystem::path&
 void write_mixing_deck(const Campaign& campaign, int cycle, const std::filesystem::path& into);
 void write_measuring_deck(const Campaign& campaign, int cycle, const std::filesystem::path& into);
 
-/// What millwear-recorder is told of a measuring stretch, besides its deck; paths are from the
-/// stage's folder.
+/// What millwear-recorder is told of a measuring stretch; paths are from the stage's folder.
 [[nodiscard]] std::vector<std::string> recorder_arguments(const Case& mill);
 
 }  // namespace millwear::orchestrator

@@ -58,7 +58,7 @@ std::vector<GaugeReading> needed_readings_in(const fs::path& folder, const Case&
   return readings;
 }
 
-void add_readings(const std::vector<GaugeReading>& readings, ReportData& data) {
+void add_readings(const std::vector<GaugeReading>& readings, CampaignResults& data) {
   for (const GaugeReading& reading : readings) {
     if (reading.lifter_height)
       data.measured.push_back({reading.operating_hours, *reading.lifter_height, reading.error});

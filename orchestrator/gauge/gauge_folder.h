@@ -6,7 +6,7 @@
 
 #include "mill/case/case.h"
 #include "mill/liner/gauge_reading.h"
-#include "orchestrator/results/report_data.h"
+#include "orchestrator/results/campaign_results.h"
 
 namespace millwear::orchestrator {
 
@@ -30,6 +30,6 @@ void check_under_new_liner(const GaugeReading& reading, const LinerProfile& line
                                                            const Case& mill);
 
 /// Gives the report what the folder's readings tell: heights and profiles.
-void add_readings(const std::vector<GaugeReading>& readings, ReportData& data);
+void add_readings(const std::vector<GaugeReading>& readings, CampaignResults& data);
 
 }  // namespace millwear::orchestrator

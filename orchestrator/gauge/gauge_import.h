@@ -7,11 +7,18 @@
 #include "mill/case/case.h"
 #include "mill/liner/gauge_reading.h"
 #include "orchestrator/gauge/gauge_curve.h"
-#include "orchestrator/gauge/import_options.h"
 #include "wear/gauge/alignment_fit.h"
 #include "wear/gauge/profile_alignment.h"
 
 namespace millwear::orchestrator {
+
+/// How a gauge's curve is brought to the master lifter.
+enum class AlignmentMode {
+  by_file,  ///< `none` for columns xi_m, eta_m, else `fit`
+  none,     ///< it is in the master frame
+  ends,     ///< by its two ends
+  fit,      ///< by its unworn parts
+};
 
 /// What `millwear import` was asked for.
 struct ImportRequest {

@@ -57,7 +57,7 @@ int profile_picture_height(const std::vector<ProfileRow>& profiles) {
                           room_for_axis);
 }
 
-std::string profile_commands(const ReportData& data) {
+std::string profile_commands(const CampaignResults& data) {
   return plot_terminal(1200, profile_picture_height(data.profiles)) +
          profile_blocks(data.profiles) +
          "set size ratio -1\n"
@@ -68,7 +68,7 @@ std::string profile_commands(const ReportData& data) {
          "plot $profiles using 1:2:3 with lines lw 1.6 lc palette notitle\n";
 }
 
-std::string history_commands(const ReportData& data) {
+std::string history_commands(const CampaignResults& data) {
   const auto charges = measured_charges(data.history);
   const bool has_power = std::ranges::any_of(
       charges, [](const MeasuredCharge& charge) { return std::isfinite(charge.power); });
@@ -98,7 +98,7 @@ std::string plot_terminal(int width, int height) {
       width, height);
 }
 
-void write_plots(const ReportData& data, const std::filesystem::path& folder) {
+void write_plots(const CampaignResults& data, const std::filesystem::path& folder) {
   if (!data.profiles.empty())
     publish(folder / "profiles.png", gnuplot_output(profile_commands(data)));
   if (!data.history.empty())

@@ -47,7 +47,7 @@ std::string filled(std::string_view page, const std::map<std::string_view, std::
 
 }  // namespace
 
-std::string report_html(const ReportData& data, const D3& d3) {
+std::string report_html(const CampaignResults& data, const D3& d3) {
   return filled(page_html, {{"title", html_text(data.case_name)},
                             {"style", std::string(page_style)},
                             {"d3", d3.script},

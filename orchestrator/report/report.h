@@ -2,12 +2,12 @@
 #include <string>
 
 #include "orchestrator/report/d3.h"
-#include "orchestrator/results/report_data.h"
+#include "orchestrator/results/campaign_results.h"
 
 namespace millwear::orchestrator {
 
 /// A page that shows a campaign and needs nothing but a browser: data, drawing program and style
 /// are inside, and its own policy forbids it to load anything.
-[[nodiscard]] std::string report_html(const ReportData& data, const D3& d3 = installed_d3());
+[[nodiscard]] std::string report_html(const CampaignResults& data, const D3& d3 = installed_d3());
 
 }  // namespace millwear::orchestrator

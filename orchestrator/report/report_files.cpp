@@ -6,11 +6,11 @@
 
 namespace millwear::orchestrator {
 
-void publish_report(const std::filesystem::path& page, const ReportData& data) {
+void publish_report(const std::filesystem::path& page, const CampaignResults& data) {
   publish(page, report_html(data));
 }
 
-void publish_pictures(const std::filesystem::path& folder, const ReportData& data) {
+void publish_pictures(const std::filesystem::path& folder, const CampaignResults& data) {
   write_plots(data, folder);
 }
 

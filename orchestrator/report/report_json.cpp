@@ -225,7 +225,7 @@ std::string inside_script(const std::string& json) {
 
 }  // namespace
 
-std::string report_json(const ReportData& data) {
+std::string report_json(const CampaignResults& data) {
   const Json json = {{"case_name", data.case_name},
                      {"description", all(data.description)},
                      {"life", json_of(data.life)},

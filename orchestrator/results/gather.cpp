@@ -39,10 +39,8 @@ std::vector<Eigen::Vector2d> places_on(const Campaign& campaign, int cycle,
   const LinerProfile profile = dem_liner_of_cycle(campaign, cycle);
   const auto arc = arc_lengths(profile);
   std::vector<Eigen::Vector2d> places;
-  for (const double s : at) places.push_back(wear::place_at(profile, arc, s));
-  const bool is_reversed = rotation_of_cycle(campaign, cycle) == Rotation::reversed;
-  if (is_reversed)
-    for (auto& place : places) place.x() = -place.x();
+  const Rotation rotation = rotation_of_cycle(campaign, cycle);
+  for (const double s : at) places.push_back(as_turned(wear::place_at(profile, arc, s), rotation));
   return places;
 }
 
@@ -122,7 +120,7 @@ PowerSeries power_of_cycle(int cycle, const Measured& measured, int blocks) {
 }
 
 /// Adds what a cycle left to the report, but for what is not known of it: that is returned.
-wear::WornCycle add_cycle(const Campaign& campaign, int cycle, double time, ReportData& data) {
+wear::WornCycle add_cycle(const Campaign& campaign, int cycle, double time, CampaignResults& data) {
   const auto& mill = campaign.mill;
   const StageId wear_id{cycle, StageKind::wear};
   const auto measured =
@@ -168,7 +166,7 @@ wear::WornCycle add_cycle(const Campaign& campaign, int cycle, double time, Repo
   return worn_cycle(campaign, cycle, time, rate, kept);
 }
 
-Life life_from(const Campaign& campaign, const Ledger& ledger, const ReportData& data) {
+Life life_from(const Campaign& campaign, const Ledger& ledger, const CampaignResults& data) {
   Life life{
       outcome_of(ledger) != Outcome::go_on, 0.0, std::nan(""), std::nan(""), std::nan(""), ""};
   if (!data.history.empty()) {
@@ -220,7 +218,7 @@ std::vector<LabelledValue> description_of(const Case& mill) {
 
 /// What to keep in mind of the charge a cycle began with, where it was mixed anew.
 void add_mixing_warning(const Campaign& campaign, const Ledger& ledger, int cycle,
-                        ReportData& data) {
+                        CampaignResults& data) {
   const StageId stage{cycle, StageKind::mix};
   if (!campaign.mill.dem.mix_until_steady || ledger.find(stage) == nullptr) return;
   const auto record = read_mixing(campaign.mill, campaign.folder.stage(stage));
@@ -231,9 +229,9 @@ void add_mixing_warning(const Campaign& campaign, const Ledger& ledger, int cycl
 
 }  // namespace
 
-ReportData gather(const Campaign& campaign, const Ledger& ledger) {
+CampaignResults gather(const Campaign& campaign, const Ledger& ledger) {
   const auto& mill = campaign.mill;
-  ReportData data{};
+  CampaignResults data{};
   data.case_name = mill.name;
   data.description = description_of(mill);
   data.sector = mill.liner.sector;

@@ -1,12 +1,12 @@
 #pragma once
 #include "orchestrator/campaign/campaign.h"
 #include "orchestrator/campaign/ledger.h"
-#include "orchestrator/results/report_data.h"
+#include "orchestrator/results/campaign_results.h"
 
 namespace millwear::orchestrator {
 
 /// Everything the published cycles tell, ready for the result files and the report.
 /// A cycle counts from the moment its wear stage is published.
-[[nodiscard]] ReportData gather(const Campaign& campaign, const Ledger& ledger);
+[[nodiscard]] CampaignResults gather(const Campaign& campaign, const Ledger& ledger);
 
 }  // namespace millwear::orchestrator

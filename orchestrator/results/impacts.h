@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "mill/case/case.h"
-#include "orchestrator/results/report_data.h"
+#include "orchestrator/results/campaign_results.h"
 #include "orchestrator/results/spectra.h"
 #include "wear/record/liner_record.h"
 

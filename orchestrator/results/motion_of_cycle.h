@@ -1,6 +1,6 @@
 #pragma once
 #include "orchestrator/dem_run/measured.h"
-#include "orchestrator/results/report_data.h"
+#include "orchestrator/results/campaign_results.h"
 #include "wear/record/liner_record.h"
 
 namespace millwear::orchestrator {

@@ -48,7 +48,8 @@ json outputs_of(const Ledger& ledger, const RunFolder& folder) {
   return outputs;
 }
 
-std::string summary_json(const Campaign& campaign, const Ledger& ledger, const ReportData& data) {
+std::string summary_json(const Campaign& campaign, const Ledger& ledger,
+                         const CampaignResults& data) {
   const double removed = data.history.empty() ? 0.0 : data.history.back().worn_volume;
   double accounted = 0.0;
   json paths = json::array();
@@ -108,7 +109,7 @@ void publish_spectra(const Campaign& campaign, const Ledger& ledger) {
 
 }  // namespace
 
-void publish_results(const Campaign& campaign, const Ledger& ledger, const ReportData& data) {
+void publish_results(const Campaign& campaign, const Ledger& ledger, const CampaignResults& data) {
   const fs::path folder = campaign.folder.results();
   fs::create_directories(folder);
   publish(folder / "history.csv", history_csv(data.history));

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "orchestrator/results/report_data.h"
+#include "orchestrator/results/campaign_results.h"
 
 namespace millwear::orchestrator {
 

@@ -26,7 +26,7 @@ std::vector<double> at_nodes(const LinerProfile& profile, const Eigen::VectorXd&
 }
 
 /// The new liner, the same for all replicates, as a row before the steps.
-void begin_replicates(const Case& mill, ReportData& data) {
+void begin_replicates(const Case& mill, CampaignResults& data) {
   data.replicates = {{0, 0, 0.0, Eigen::VectorXd::Constant(replicates, lifter_height(mill.liner)),
                       Eigen::VectorXd::Constant(replicates, plate_thickness(mill.liner))}};
 }
@@ -46,7 +46,7 @@ wear::WornCycle worn_cycle(const Campaign& campaign, int cycle, double time,
 }
 
 void add_uncertainty(const Case& mill, const std::vector<wear::WornCycle>& cycles,
-                     ReportData& data) {
+                     CampaignResults& data) {
   const auto bands = wear::bands_of(cycles, mill.campaign.scheme);
   if (!data.history.empty()) begin_replicates(mill, data);
   std::size_t row = 1;
@@ -59,9 +59,8 @@ void add_uncertainty(const Case& mill, const std::vector<wear::WornCycle>& cycle
       history.worn_volume_error = band.section_error;
       data.replicates.push_back({history.cycle, history.step, history.operating_hours,
                                  band.replicates.heights, band.replicates.plates});
-      auto& error = data.profiles.at(row).depth_error;
-      error = at_nodes(cycles[cycle].steps[step].profile, band.depth_error);
-      if (cycles[cycle].rotation == Rotation::reversed) std::ranges::reverse(error);
+      data.profiles.at(row).depth_error = as_turned(
+          at_nodes(cycles[cycle].steps[step].profile, band.depth_error), cycles[cycle].rotation);
     }
   if (!data.life.reached) return;
   const auto life = wear::band_of(wear::lives_of(cycles, bands, mill.campaign) / seconds_per_hour);

@@ -4,7 +4,7 @@
 #include "orchestrator/campaign/campaign.h"
 #include "orchestrator/campaign/kept_cycle.h"
 #include "orchestrator/dem_run/measured.h"
-#include "orchestrator/results/report_data.h"
+#include "orchestrator/results/campaign_results.h"
 #include "wear/band/campaign_band.h"
 #include "wear/rate/load_rate.h"
 
@@ -20,6 +20,6 @@ namespace millwear::orchestrator {
 /// that is reached.
 /// `data.history` and `data.profiles` have a row for the new liner and one for every step.
 void add_uncertainty(const Case& mill, const std::vector<wear::WornCycle>& cycles,
-                     ReportData& data);
+                     CampaignResults& data);
 
 }  // namespace millwear::orchestrator

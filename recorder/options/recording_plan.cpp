@@ -9,41 +9,6 @@
 namespace millwear::recorder {
 namespace {
 
-/// The options of a measurement that goes on: all of them or none.
-struct GoingOnOptions {
-  std::optional<double> target_error;
-  std::optional<long> by_steps;
-  std::optional<long> at_most;
-};
-
-void add_options(CLI::App& app, RecordingPlan& plan, GoingOnOptions& going_on) {
-  app.add_option("-i,--in", plan.deck, "LIGGGHTS's input script")->required();
-  app.add_option("--case", plan.mill, "the case file of the mill")->required();
-  app.add_option("--liner", plan.liner, "profile (CSV) that the script's mesh follows")->required();
-  app.add_option("--load", plan.load, "file to write: the load on the liner (HDF5)")->required();
-  app.add_option("--events", plan.events, "file to write: a row a collision (HDF5)");
-  app.add_option("--after", plan.first_step, "the measurement begins after this step")
-      ->required()
-      ->check(CLI::NonNegativeNumber);
-  app.add_option("--until", plan.last_step, "... and ends with this step")
-      ->required()
-      ->check(CLI::PositiveNumber);
-  app.add_option("--every", plan.every_steps, "steps between two samples of the wall contacts")
-      ->default_val(1)
-      ->check(CLI::PositiveNumber);
-  app.add_option("--pairs-after", plan.pairs_after,
-                 "record collisions between particles after this step; a `run` of the script has "
-                 "to begin there");
-  app.add_option("--target-error", going_on.target_error,
-                 "go on after --until, while the relative standard error of the smoothed rate of "
-                 "loss at its peaks is above this")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--go-on-by", going_on.by_steps, "... by so many steps at a time")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--at-most", going_on.at_most, "... and not beyond this step")
-      ->check(CLI::PositiveNumber);
-}
-
 std::optional<GoingOn> going_on_from(const GoingOnOptions& options, long last_step) {
   const int given =
       options.target_error.has_value() + options.by_steps.has_value() + options.at_most.has_value();
@@ -68,19 +33,15 @@ std::string recording_help() {
       "--load load.h5 --after 4000 --until 24000",
       "millwear-recorder");
   GoingOnOptions going_on;
-  add_options(app, plan, going_on);
+  for_each_option(plan, going_on, into(app));
   return app.help();
-}
-
-long samples_of(const RecordingPlan& plan) {
-  return plan.last_step / plan.every_steps - plan.first_step / plan.every_steps;
 }
 
 RecordingPlan recording_plan(const std::vector<std::string>& arguments) {
   RecordingPlan plan{};
   CLI::App app;
   GoingOnOptions going_on;
-  add_options(app, plan, going_on);
+  for_each_option(plan, going_on, into(app));
   parse_options(app, arguments, "--help");
   if (plan.last_step <= plan.first_step)
     refuse(fmt::format("--until {} has to lie after --after {}", plan.last_step, plan.first_step));

@@ -1,36 +1,12 @@
 #pragma once
-#include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "mill/recording/recorder_orders.h"
+
 namespace millwear::recorder {
 
-/// How a measurement goes on while its load is not known well enough.
-struct GoingOn {
-  double target_error;  ///< relative, of the smoothed rate of loss at its peaks
-  long by_steps;        ///< at a time
-  long at_most;         ///< the last step it may reach
-};
-
-/// What the recorder is to do, from its command line.
-struct RecordingPlan {
-  std::filesystem::path deck;                   ///< LIGGGHTS's input script
-  std::filesystem::path mill;                   ///< the case file
-  std::filesystem::path liner;                  ///< the profile that the deck's mesh follows
-  std::filesystem::path load;                   ///< to be written
-  std::optional<std::filesystem::path> events;  ///< to be written, a row a collision
-  long first_step;                              ///< the measurement takes the steps after it
-  long last_step;                               ///< ... up to this one, at least
-  long every_steps;                             ///< between two samples
-  std::optional<long> pairs_after;              ///< collisions between particles from here on,
-                                                ///< up to `last_step`
-  std::optional<GoingOn> going_on;
-};
-
-/// Steps after the first up to the last that are multiples of `every_steps`.
-[[nodiscard]] long samples_of(const RecordingPlan& plan);
-
+/// What the recorder is to do, from the words of its command line (`to_arguments`).
 /// Throws Failure (usage) for an option that is unknown, missing or no number, and for steps that
 /// do not fit.
 [[nodiscard]] RecordingPlan recording_plan(const std::vector<std::string>& arguments);

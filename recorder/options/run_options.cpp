@@ -5,32 +5,24 @@
 #include "recorder/options/option_parsing.h"
 
 namespace millwear::recorder {
-namespace {
-
-void add_options(CLI::App& app, std::filesystem::path& deck) {
-  app.add_option("-i,--in", deck, "LIGGGHTS's input script")->required();
-}
-
-}  // namespace
 
 std::string run_help() {
-  std::filesystem::path deck;
+  RunOptions options;
   CLI::App app(
       "Runs a LIGGGHTS script to the same bits as liggghts would, with a search for neighbours "
-      "that "
-      "does not slow down where particles differ much in size:\n"
+      "that does not slow down where particles differ much in size:\n"
       "  mpirun -np 2 millwear-recorder run --in deck.in",
       "millwear-recorder run");
-  add_options(app, deck);
+  for_each_option(options, into(app));
   return app.help();
 }
 
-std::filesystem::path deck_option(const std::vector<std::string>& arguments) {
-  std::filesystem::path deck;
+RunOptions run_options(const std::vector<std::string>& arguments) {
+  RunOptions options;
   CLI::App app;
-  add_options(app, deck);
+  for_each_option(options, into(app));
   parse_options(app, arguments, "run --help");
-  return deck;
+  return options;
 }
 
 }  // namespace millwear::recorder

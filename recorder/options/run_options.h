@@ -1,13 +1,14 @@
 #pragma once
-#include <filesystem>
 #include <string>
 #include <vector>
 
+#include "mill/recording/recorder_orders.h"
+
 namespace millwear::recorder {
 
-/// The deck that `millwear-recorder run` is to run, from the words behind `run`.
+/// What `millwear-recorder run` is to do, from the words behind `run` (`to_arguments`).
 /// Throws Failure (usage) for an option that is unknown or missing.
-[[nodiscard]] std::filesystem::path deck_option(const std::vector<std::string>& arguments);
+[[nodiscard]] RunOptions run_options(const std::vector<std::string>& arguments);
 
 /// The text of `run --help`.
 [[nodiscard]] std::string run_help();

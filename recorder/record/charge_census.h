@@ -4,7 +4,7 @@
 
 #include "mill/case/case.h"
 #include "mill/load/wall_contacts.h"
-#include "recorder/options/recording_plan.h"
+#include "mill/recording/recorder_orders.h"
 #include "recorder/record/wall_module.h"
 #include "wear/record/charge_motion.h"
 

@@ -1,7 +1,5 @@
 #include "recorder/record/going_on.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -34,13 +32,10 @@ NextPiece next_piece(const Case& mill, const RecordingPlan& plan, const WallLoad
   return {goal, going_on.by_steps, expected_step(plan, goal)};
 }
 
-std::string spoken(const RecordingPlan& plan, const NextPiece& next) {
-  const std::string known =
-      fmt::format("millwear: step {}, rate at its peaks known to {:.2g} % (target {:g} %)",
-                  plan.last_step, 100.0 * next.goal.peak_error, 100.0 * next.goal.target_error);
-  if (next.steps == 0) return known + ", the measurement ends";
-  return fmt::format("{}, going on to step {}, perhaps to {}", known, plan.last_step + next.steps,
-                     next.expected_step);
+MeasuringLine line_for_log(const RecordingPlan& plan, const NextPiece& next) {
+  MeasuringLine line{plan.last_step, next.goal.peak_error, next.goal.target_error, {}};
+  if (next.steps > 0) line.next = NextEnd{plan.last_step + next.steps, next.expected_step};
+  return line;
 }
 
 }  // namespace millwear::recorder

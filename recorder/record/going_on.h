@@ -1,9 +1,8 @@
 #pragma once
-#include <string>
-
 #include "mill/case/case.h"
 #include "mill/load/wall_load.h"
-#include "recorder/options/recording_plan.h"
+#include "mill/recording/recorder_lines.h"
+#include "mill/recording/recorder_orders.h"
 #include "wear/record/measurement_goal.h"
 
 namespace millwear::recorder {
@@ -21,7 +20,7 @@ struct NextPiece {
 [[nodiscard]] NextPiece next_piece(const Case& mill, const RecordingPlan& plan,
                                    const WallLoad& load);
 
-/// The line for the log; whoever follows it finds "going on to step A, perhaps to B" in it.
-[[nodiscard]] std::string spoken(const RecordingPlan& plan, const NextPiece& next);
+/// The line for the log, for whoever follows the recorder.
+[[nodiscard]] MeasuringLine line_for_log(const RecordingPlan& plan, const NextPiece& next);
 
 }  // namespace millwear::recorder

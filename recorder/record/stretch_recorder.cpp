@@ -17,6 +17,7 @@
 #include "mill/liner/profile_csv.h"
 #include "mill/liner/profile_measures.h"
 #include "mill/load/contact_motion.h"
+#include "mill/recording/recorder_lines.h"
 #include "recorder/liggghts/atom_values.h"
 #include "recorder/pairs/pair_contacts.h"
 #include "recorder/record/mesh_hook.h"
@@ -260,7 +261,7 @@ NextPiece StretchRecorder::decide() {
   NextPiece next{};
   if (liggghts_.comm->me == 0) {
     next = next_piece(mill_, plan_, load);
-    fmt::print("{}\n", spoken(plan_, next));
+    fmt::print("{}\n", printed(line_for_log(plan_, next)));
     std::fflush(stdout);
   }
   MPI_Bcast(&next, sizeof next, MPI_BYTE, 0, liggghts_.world);

@@ -6,7 +6,7 @@
 
 #include "mill/case/case.h"
 #include "mill/case/liner_friction.h"
-#include "recorder/options/recording_plan.h"
+#include "mill/recording/recorder_orders.h"
 #include "recorder/record/charge_census.h"
 #include "recorder/record/collision_spool.h"
 #include "recorder/record/going_on.h"

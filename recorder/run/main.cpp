@@ -127,9 +127,10 @@ void mix(const std::vector<std::string>& arguments) {
 }
 
 void only_run(const std::vector<std::string>& arguments) {
-  const auto deck = deck_option(arguments);
+  const RunOptions options = run_options(arguments);
   const auto liggghts = start_liggghts();
-  run_deck(*liggghts, deck, [&](const std::string& line) { liggghts->input->one(line.c_str()); });
+  run_deck(*liggghts, options.deck,
+           [&](const std::string& line) { liggghts->input->one(line.c_str()); });
 }
 
 /// Like LIGGGHTS itself: a run that is told to stop ends with its step.
@@ -156,7 +157,7 @@ struct Verb {
 
 constexpr Verb recording = {"", record, recording_help};
 constexpr std::array<Verb, 2> named_verbs = {
-    {{"mix", mix, mixing_help}, {"run", only_run, run_help}}};
+    {{mixing_verb, mix, mixing_help}, {running_verb, only_run, run_help}}};
 
 }  // namespace
 

@@ -15,6 +15,7 @@
 #include "mill/base/failure.h"
 #include "mill/base/published_file.h"
 #include "mill/load/mixing_record.h"
+#include "mill/recording/recorder_lines.h"
 #include "recorder/run/deck_lines.h"
 #include "recorder/run/deck_run.h"
 
@@ -47,7 +48,8 @@ MixingState take_piece(LAMMPS& liggghts, LAMMPS_NS::Fix& averages, MixingRecord&
   auto state = mixing_state(record.plan, record.pieces);
   MPI_Bcast(&state, sizeof state, MPI_BYTE, 0, liggghts.world);
   if (liggghts.comm->me == 0) {
-    fmt::print("millwear: step {}, {}\n", record.steps(), spoken_drift(record));
+    fmt::print("{}\n",
+               printed(MixingLine{record.steps(), mixing_drift(record.plan, record.pieces)}));
     std::fflush(stdout);
   }
   return state;

@@ -1,5 +1,5 @@
 #pragma once
-#include "recorder/options/mixing_options.h"
+#include "mill/recording/recorder_orders.h"
 
 namespace LAMMPS_NS {
 class LAMMPS;

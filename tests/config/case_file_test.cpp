@@ -13,7 +13,7 @@
 #include "mill/base/failure.h"
 #include "mill/case_file/case_lock.h"
 #include "mill/case_file/case_manual.h"
-#include "mill/case_file/case_schema.h"
+#include "mill/case_keys/case_schema.h"
 #include "mill/liner/profile_crossing.h"
 
 namespace millwear {

@@ -92,7 +92,8 @@ class RecorderRefusal : public ::testing::Test {
 
   [[nodiscard]] Ended run(const std::map<std::string, std::string>& other = {}, int ranks = 1,
                           const std::function<void(std::string_view)>& take_line = {}) const {
-    std::map<std::string, std::string> options = {{"--case", "case.toml"},
+    std::map<std::string, std::string> options = {{"--in", names::deck},
+                                                  {"--case", "case.toml"},
                                                   {"--liner", "liner.csv"},
                                                   {"--load", "load.h5"},
                                                   {"--events", "events.h5"},

@@ -12,6 +12,7 @@
 #include "mill/base/failure.h"
 #include "mill/case_file/case_lock.h"
 #include "mill/liner/profile_csv.h"
+#include "mill/recording/recorder_orders.h"
 #include "orchestrator/campaign/campaign.h"
 #include "orchestrator/campaign/mesh_files.h"
 #include "orchestrator/dem_run/stretch_run.h"
@@ -100,24 +101,23 @@ Recording record_deck(const Case& mill, const liggghts::StretchSteps& steps,
                       liggghts::StretchExpectation expected) {
   write_text(folder / "case.toml", locked_case_text(mill));
   write_text(folder / "liner.csv", profile_csv(liner));
-  std::vector<std::string> arguments = {"--case",   "case.toml",
-                                        "--liner",  "liner.csv",
-                                        "--load",   "load.h5",
-                                        "--events", "events.h5",
-                                        "--after",  std::to_string(steps.settle_steps),
-                                        "--until",  std::to_string(steps.total()),
-                                        "--every",  std::to_string(steps.sample_steps)};
-  if (steps.pair_steps > 0)
-    arguments.insert(arguments.end(),
-                     {"--pairs-after", std::to_string(steps.total() - steps.pair_steps)});
+  RecordingPlan plan{.deck = names::deck,
+                     .mill = "case.toml",
+                     .liner = "liner.csv",
+                     .load = "load.h5",
+                     .events = "events.h5",
+                     .first_step = steps.settle_steps,
+                     .last_step = steps.total(),
+                     .every_steps = steps.sample_steps,
+                     .pairs_after = {},
+                     .going_on = {}};
+  if (steps.pair_steps > 0) plan.pairs_after = steps.total() - steps.pair_steps;
   if (steps.go_on_steps > 0)
-    arguments.insert(arguments.end(),
-                     {"--target-error", fmt::format("{}", mill.dem.error_target->relative_error),
-                      "--go-on-by", std::to_string(steps.go_on_steps), "--at-most",
-                      std::to_string(steps.settle_steps + steps.most_measure_steps)});
+    plan.going_on = GoingOn{mill.dem.error_target->relative_error, steps.go_on_steps,
+                            steps.settle_steps + steps.most_measure_steps};
   Recording recording;
-  recording.dumps =
-      run_program(folder, ranks, orchestrator::RecorderProgram{MILLWEAR_RECORDER, arguments});
+  recording.dumps = run_program(
+      folder, ranks, orchestrator::RecorderProgram{MILLWEAR_RECORDER, to_arguments(plan)});
   if (steps.go_on_steps == 0) check_log(folder, expected);
   recording.record = wear::read_record(folder / "load.h5");
   expected.last_step = liggghts::as_measured(steps, recording.record.load.duration).total();

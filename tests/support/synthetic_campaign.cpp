@@ -204,10 +204,10 @@ Impacts impacts_at(double age, int cycle) {
 
 }  // namespace
 
-ReportData synthetic_campaign(int cycles, int steps) {
+CampaignResults synthetic_campaign(int cycles, int steps) {
   std::mt19937 random(7);
   const double fresh = area_under(even_points(0.0, 401));
-  ReportData data{
+  CampaignResults data{
       .case_name = "Seed mill <8 m & 52 rows>",
       .description = {{"Shell, plate", "8.000 m, 7.801 m"},
                       {"Lifters", "52 rows of 215 mm"},

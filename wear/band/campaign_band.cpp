@@ -14,7 +14,7 @@ double root_mean_square(const Eigen::VectorXd& deviations) {
 }
 
 LinerBand band_after(const LinerReplicates& liners, double time) {
-  LinerBand band{{time, lifter_heights(liners), plate_thicknesses(liners)}, 0, 0, 0, {}, {}, {}};
+  LinerBand band{{time, lifter_heights(liners), plate_thicknesses(liners)}, 0, 0, 0, {}};
   band.height_error =
       root_mean_square(band.replicates.heights.array() - lifter_height(liners.profile));
   band.plate_error =
@@ -22,15 +22,8 @@ LinerBand band_after(const LinerReplicates& liners, double time) {
   band.section_error = root_mean_square(sections_ahead(liners));
   const Eigen::Index bins = liners.deeper.rows();
   band.depth_error = Eigen::VectorXd(bins);
-  band.deeper_low = Eigen::VectorXd(bins);
-  band.deeper_high = Eigen::VectorXd(bins);
-  for (Eigen::Index bin = 0; bin < bins; ++bin) {
-    const Eigen::VectorXd deeper = liners.deeper.row(bin);
-    const Band between = band_of(deeper);
-    band.depth_error[bin] = root_mean_square(deeper);
-    band.deeper_low[bin] = between.low;
-    band.deeper_high[bin] = between.high;
-  }
+  for (Eigen::Index bin = 0; bin < bins; ++bin)
+    band.depth_error[bin] = root_mean_square(liners.deeper.row(bin));
   return band;
 }
 

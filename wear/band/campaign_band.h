@@ -34,8 +34,6 @@ struct LinerBand {
   double plate_error;           ///< [m]
   double section_error;         ///< of the section worn [m2]
   Eigen::VectorXd depth_error;  ///< by even bins of the step's profile, along its normal [m]
-  Eigen::VectorXd deeper_low;   ///< 95 % band of the surface: how deep below the predicted one [m]
-  Eigen::VectorXd deeper_high;
 };
 
 /// The uncertainty of a campaign, from the scatter between the time blocks of its loads: a band

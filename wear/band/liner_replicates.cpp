@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mill/liner/profile_measures.h"
+#include "mill/liner/rotation.h"
 #include "wear/numerics/block_means.h"
 
 namespace millwear::wear {
@@ -90,7 +91,8 @@ LinerReplicates worn(const LinerReplicates& before, const UncertainLoad& load, d
 }
 
 LinerReplicates mirrored(const LinerReplicates& liners) {
-  return {millwear::mirrored(liners.profile), liners.deeper.colwise().reverse()};
+  return {as_turned(liners.profile, Rotation::reversed),
+          by_bin_as_turned(liners.deeper, Rotation::reversed)};
 }
 
 double growth_between(const TimedLoad& before, const TimedLoad& after) {

@@ -37,7 +37,7 @@ struct UncertainLoad {
 [[nodiscard]] LinerReplicates worn(const LinerReplicates& before, const UncertainLoad& load,
                                    double start, double duration, const LinerProfile& after);
 
-/// The same liners for the other sense of rotation, see `mirrored` of a profile.
+/// The same liners as a reversed mill turns them (mill/liner/rotation.h).
 [[nodiscard]] LinerReplicates mirrored(const LinerReplicates& liners);
 
 /// Growth of the rate between two loads, d ln(rate) / d(worn section) [1/m2], with the share of the

@@ -86,7 +86,7 @@ double time_of(const Course& course, double value) {
   return course.times[end - 1] + share * (course.times[end] - course.times[end - 1]);
 }
 
-FactorFit factor_of(const Course& course, std::span<const DatedLength> readings) {
+CourseFactor factor_of(const Course& course, std::span<const DatedLength> readings) {
   const auto breaks = breaks_of(course, readings);
   double best = 0.0;
   double least = std::numeric_limits<double>::infinity();

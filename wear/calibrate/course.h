@@ -30,7 +30,8 @@ enum class FactorPlace {
   beyond     ///< the readings ask for more wear than the course has
 };
 
-struct FactorFit {
+/// The factor on the coefficients that fits a course to its readings.
+struct CourseFactor {
   double factor;
   FactorPlace place;
 };
@@ -41,7 +42,7 @@ struct FactorFit {
 ///     min over f of  sum (H(f t_i) - h_i)^2 / e_i^2,    0 <= f <= (last moment) / max t_i.
 /// Exact for the piecewise linear course; the least factor where several are as good. With one
 /// reading H(f t) = h. `readings` is not empty.
-[[nodiscard]] FactorFit factor_of(const Course& course, std::span<const DatedLength> readings);
+[[nodiscard]] CourseFactor factor_of(const Course& course, std::span<const DatedLength> readings);
 
 /// Rate of the straight line h = `fresh` - rate t by the same least squares: the line starts at
 /// the new liner, as every prediction does.

@@ -119,7 +119,7 @@ PathLoss loss_at(const WearPath& path, const Eigen::VectorXd& factors, double ti
   }
   const Eigen::VectorXd place_per_factor = sums.pace * sums.time_per_factor;
   return {sums.taken * factors, sums.taken,
-          sums.per_factor + sums.loss_per_section * place_per_factor.transpose(), !ends};
+          sums.per_factor + sums.loss_per_section * place_per_factor.transpose()};
 }
 
 double time_of_path(const WearPath& path, const Eigen::VectorXd& factors) {

@@ -280,7 +280,7 @@ MovedProfile move_profile(const LinerProfile& profile, const std::vector<LossNod
   const LinerSector& sector = profile.sector;
   if (sector.rows < 4) throw InputError("a worn profile needs a mill of at least 4 rows");
   if (!(target_area >= 0.0)) throw InputError("the area to remove must not be negative");
-  if (target_area == 0.0) return {profile, 0.0, 0.0, 0.0, plate_thickness(profile) <= 0.0};
+  if (target_area == 0.0) return {profile, 0.0, 0.0, 0.0};
   if (target_area >= steel_area(profile)) {
     throw ResultRejected(
         fmt::format("the load takes {:g} m2 of steel off a section of {:g} m2; shorten the step",
@@ -294,8 +294,7 @@ MovedProfile move_profile(const LinerProfile& profile, const std::vector<LossNod
     const auto surface = moved_along_normals(sector, scaled(loss, first_scale));
     const auto result = matched_with_few_nodes(profile, surface, target_area, resolution);
     if (result) {
-      return {*result, steel_area(profile) - steel_area(*result), first_scale, 0.0,
-              plate_thickness(*result) <= 0.0};
+      return {*result, steel_area(profile) - steel_area(*result), first_scale, 0.0};
     }
   }
 
@@ -323,7 +322,7 @@ MovedProfile move_profile(const LinerProfile& profile, const std::vector<LossNod
     if (!result) continue;
     const double removed = steel_area(profile) - steel_area(*result);
     const double dropped = trial.dropped_area > 0.0 ? removed - target_area : 0.0;
-    return {*result, removed, found.scale, dropped, plate_thickness(*result) <= 0.0};
+    return {*result, removed, found.scale, dropped};
   }
   throw ResultRejected(
       fmt::format("taking {:g} m2 off the profile leaves one that crosses itself; shorten the step",

@@ -9,10 +9,9 @@ namespace millwear::wear {
 /// A profile after steel was taken off it.
 struct MovedProfile {
   LinerProfile profile;
-  double removed_area;      ///< section of steel that went [m2]
-  double depth_scale;       ///< the depths were multiplied by this so that the area is the wanted
-  double dropped_area;      ///< the part of it that was cut off its hold on the shell [m2]
-  bool plate_worn_through;  ///< the profile reaches the shell somewhere
+  double removed_area;  ///< section of steel that went [m2]
+  double depth_scale;   ///< the depths were multiplied by this so that the area is the wanted
+  double dropped_area;  ///< the part of it that was cut off its hold on the shell [m2]
 };
 
 /// New steel = old steel minus the region swept by the loss, over the pitch and its neighbours.

@@ -14,6 +14,10 @@ BinsBeside bins_beside(double arc_length, double bin_width, Eigen::Index bins) {
   return {wrapped(left), wrapped(left + 1.0), from_first_centre - left};
 }
 
+ArcCurve as_turned(const ArcCurve& curve, Rotation rotation) {
+  return {curve.bin_edges, by_bin_as_turned(curve.values, rotation)};
+}
+
 double ArcCurve::at(double arc_length) const {
   const BinsBeside beside = bins_beside(arc_length, bin_width(), values.size());
   return (1.0 - beside.share) * values[beside.left] + beside.share * values[beside.right];

@@ -1,6 +1,8 @@
 #pragma once
 #include <Eigen/Core>
 
+#include "mill/liner/rotation.h"
+
 namespace millwear::wear {
 
 /// A quantity over the arc length of a liner profile, periodic over the pitch: linear between the
@@ -18,6 +20,9 @@ struct ArcCurve {
   /// Width of a bin [m].
   [[nodiscard]] double bin_width() const { return length() / static_cast<double>(values.size()); }
 };
+
+/// The curve along the same surface in the other frame (mill/liner/rotation.h).
+[[nodiscard]] ArcCurve as_turned(const ArcCurve& curve, Rotation rotation);
 
 /// The two bins between whose centres an arc length lies, over a pitch of even bins.
 struct BinsBeside {

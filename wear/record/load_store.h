@@ -1,5 +1,7 @@
 #pragma once
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "mill/load/wall_load.h"
 
@@ -14,6 +16,21 @@ inline constexpr std::string_view many_loads = "millwear wall loads";
 struct StoredLoad {
   int cycle;  ///< >= 0
   WallLoad load;
+};
+
+/// A dataset as HDF5 stores it: its one chunk, shuffled and deflated.
+struct PackedDataset {
+  std::string name;
+  std::string unit;
+  std::vector<unsigned long long> sizes;
+  std::string bytes;
+};
+
+/// The load of one cycle as it stands in a file of many: put into another file without packing it
+/// again.
+struct PackedLoad {
+  int cycle;  ///< >= 0
+  std::vector<PackedDataset> datasets;
 };
 
 }  // namespace millwear::wear

@@ -4,9 +4,11 @@
 #include <hdf5.h>
 
 #include <array>
+#include <cstdint>
 #include <fstream>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "wear/record/hdf5_file.h"
@@ -34,18 +36,37 @@ class Writer {
   template <std::size_t rank>
   void write_values(hid_t group, std::string_view name, std::string_view unit,
                     const std::array<hsize_t, rank>& sizes, const double* values) const {
-    Handle space(H5Screate_simple(static_cast<int>(rank), sizes.data(), nullptr), H5Sclose,
-                 failure_);
-    Handle options = untimed(H5P_DATASET_CREATE);
-    check(H5Pset_chunk(options.id(), static_cast<int>(rank), sizes.data()));
-    check(H5Pset_shuffle(options.id()));
-    check(H5Pset_deflate(options.id(), deflate_level));
-    Handle set(H5Dcreate2(group, std::string(name).c_str(), H5T_IEEE_F64LE, space.id(), H5P_DEFAULT,
-                          options.id(), H5P_DEFAULT),
-               H5Dclose, failure_);
+    Handle set = new_set(group, name, {sizes.begin(), sizes.end()});
     check(H5Dwrite(set.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values));
     write_attribute(set.id(), "unit", unit, failure_);
     set.close(failure_);
+  }
+
+  /// The same bytes in the file as by `write_values`.
+  void write_packed(hid_t group, const PackedDataset& packed) const {
+    Handle set = new_set(group, packed.name, packed.sizes);
+    if (fits_into_chunk_cache(packed)) {
+      begin_storage(set, packed);
+      write_attribute(set.id(), "unit", packed.unit, failure_);
+      write_chunk(set, packed);
+    } else {
+      write_chunk(set, packed);
+      write_attribute(set.id(), "unit", packed.unit, failure_);
+    }
+    set.close(failure_);
+  }
+
+  /// What the file holds of a dataset that was written.
+  [[nodiscard]] std::string chunk_of(hid_t group, std::string_view name, std::size_t rank) const {
+    const std::vector<hsize_t> origin(rank, 0);
+    const Handle set(H5Dopen2(group, std::string(name).c_str(), H5P_DEFAULT), H5Dclose, failure_);
+    hsize_t size = 0;
+    check(H5Dget_chunk_storage_size(set.id(), origin.data(), &size));
+    std::string bytes(size, '\0');
+    std::uint32_t left_out = 0;
+    check(H5Dread_chunk(set.id(), H5P_DEFAULT, origin.data(), &left_out, bytes.data()));
+    check(left_out == 0 ? 0 : -1);
+    return bytes;
   }
 
   void write_number(const Handle& group, std::string_view name, std::string_view unit,
@@ -80,6 +101,48 @@ class Writer {
     if (status < 0) throw DiskError(failure_);
   }
 
+  /// An empty dataset of one chunk, shuffled and deflated.
+  [[nodiscard]] Handle new_set(hid_t group, std::string_view name,
+                               const std::vector<hsize_t>& sizes) const {
+    const auto rank = static_cast<int>(sizes.size());
+    Handle space(H5Screate_simple(rank, sizes.data(), nullptr), H5Sclose, failure_);
+    Handle options = untimed(H5P_DATASET_CREATE);
+    check(H5Pset_chunk(options.id(), rank, sizes.data()));
+    check(H5Pset_shuffle(options.id()));
+    check(H5Pset_deflate(options.id(), deflate_level));
+    return {H5Dcreate2(group, std::string(name).c_str(), H5T_IEEE_F64LE, space.id(), H5P_DEFAULT,
+                       options.id(), H5P_DEFAULT),
+            H5Dclose, failure_};
+  }
+
+  /// Whether HDF5 gives a chunk its place in the file as the dataset is closed. A larger one gets
+  /// it as soon as it is written.
+  [[nodiscard]] static bool fits_into_chunk_cache(const PackedDataset& packed) {
+    constexpr hsize_t chunk_cache = 1 << 20;
+    hsize_t size = sizeof(double);
+    for (const auto extent : packed.sizes) size *= extent;
+    return size <= chunk_cache;
+  }
+
+  /// Gives the dataset its index of chunks, before its attribute, by writing one value into the
+  /// chunk cache. `write_chunk` then drops that chunk.
+  void begin_storage(const Handle& set, const PackedDataset& packed) const {
+    const std::vector<hsize_t> origin(packed.sizes.size(), 0);
+    const std::vector<hsize_t> one(packed.sizes.size(), 1);
+    const double value = 0.0;
+    const Handle in_memory(H5Screate(H5S_SCALAR), H5Sclose, failure_);
+    const Handle in_file(H5Dget_space(set.id()), H5Sclose, failure_);
+    check(H5Sselect_hyperslab(in_file.id(), H5S_SELECT_SET, origin.data(), nullptr, one.data(),
+                              nullptr));
+    check(H5Dwrite(set.id(), H5T_NATIVE_DOUBLE, in_memory.id(), in_file.id(), H5P_DEFAULT, &value));
+  }
+
+  void write_chunk(const Handle& set, const PackedDataset& packed) const {
+    const std::vector<hsize_t> origin(packed.sizes.size(), 0);
+    check(H5Dwrite_chunk(set.id(), H5P_DEFAULT, 0, origin.data(), packed.bytes.size(),
+                         packed.bytes.data()));
+  }
+
   [[nodiscard]] Handle untimed(hid_t kind) const {
     Handle options(H5Pcreate(kind), H5Pclose, failure_);
     check(H5Pset_obj_track_times(options.id(), false));
@@ -98,6 +161,26 @@ class Writer {
   std::string failure_;
   QuietErrors quiet_;
   Handle file_;
+};
+
+/// Takes what is written as HDF5 stores it; the file is in memory and goes with this object.
+class Packer {
+ public:
+  template <std::size_t rank>
+  void write_values(hid_t, std::string_view name, std::string_view unit,
+                    const std::array<hsize_t, rank>& sizes, const double* values) {
+    memory_.write_values(memory_.root(), name, unit, sizes, values);
+    packed_.push_back({std::string(name),
+                       std::string(unit),
+                       {sizes.begin(), sizes.end()},
+                       memory_.chunk_of(memory_.root(), name, rank)});
+  }
+
+  [[nodiscard]] std::vector<PackedDataset> packed() && { return std::move(packed_); }
+
+ private:
+  Writer memory_{"a packed load in memory", many_loads};
+  std::vector<PackedDataset> packed_;
 };
 
 std::string joined_units() { return fmt::format("{}", fmt::join(measure_units, ", ")); }
@@ -123,7 +206,9 @@ void write_into(const Writer& writer, const Handle& group, const ChargeMotion& m
   writer.write_matrix(group.id(), "lifter_hit_energy", "J", motion.lifter.energy);
 }
 
-void write_into(const Writer& writer, hid_t group, const WallLoad& load) {
+/// Into a `Writer` or a `Packer`.
+template <class Sink>
+void write_into(Sink& writer, hid_t group, const WallLoad& load) {
   const double rows = load.rows;
   const auto bins = static_cast<hsize_t>(load.bins());
   const std::array<hsize_t, 1> one{1};
@@ -164,6 +249,21 @@ void write_record(const std::filesystem::path& path, const LinerRecord& record) 
     const Handle goal = writer.new_group("goal");
     writer.write_number(goal, "target_relative_error", "1", record.goal->target_error);
     writer.write_number(goal, "peak_relative_error", "1", record.goal->peak_error);
+  }
+  writer.publish();
+}
+
+PackedLoad packed(const StoredLoad& stored) {
+  Packer packer;
+  write_into(packer, 0, stored.load);
+  return {stored.cycle, std::move(packer).packed()};
+}
+
+void write_loads(const std::filesystem::path& path, std::span<const PackedLoad> loads) {
+  Writer writer(path, many_loads);
+  for (const PackedLoad& load : loads) {
+    const Handle group = writer.new_group(fmt::format("cycle_{:03}", load.cycle));
+    for (const PackedDataset& set : load.datasets) writer.write_packed(group.id(), set);
   }
   writer.publish();
 }

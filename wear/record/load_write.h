@@ -12,7 +12,12 @@ namespace millwear::wear {
 /// publishing it (beside, fsync, rename) is the caller's. Throws DiskError where that fails.
 void write_record(const std::filesystem::path& path, const LinerRecord& record);
 
-/// The loads of many cycles, a group `cycle_000` for each. Throws likewise.
+/// A load as `write_loads` stores it. Throws DiskError where HDF5 fails.
+[[nodiscard]] PackedLoad packed(const StoredLoad& stored);
+
+/// The loads of many cycles, a group `cycle_000` for each; the same bytes for the same loads,
+/// packed before or not. Throws likewise.
 void write_loads(const std::filesystem::path& path, std::span<const StoredLoad> loads);
+void write_loads(const std::filesystem::path& path, std::span<const PackedLoad> loads);
 
 }  // namespace millwear::wear

@@ -19,7 +19,7 @@ TEST(StretchSteps, AreWholeRevolutionsWhereAsked) {
   const auto measuring = measuring_steps(mill, plan);
   EXPECT_EQ(measuring.settle_steps, 2 * 1250);
   EXPECT_EQ(measuring.measure_steps, 12 * 1250);
-  EXPECT_DOUBLE_EQ(measuring.settle_time(), 0.1);
+  EXPECT_DOUBLE_EQ(static_cast<double>(measuring.settle_steps) * measuring.time_step, 0.1);
   EXPECT_DOUBLE_EQ(measuring.measure_time(), 0.6);
   EXPECT_DOUBLE_EQ(measuring.sample_interval(), 8e-4);
   EXPECT_EQ(measuring.samples(), 750);

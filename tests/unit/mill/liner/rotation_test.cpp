@@ -61,5 +61,19 @@ TEST(Rotation, TurnsTheLiner) {
   EXPECT_EQ(as_turned(turned, Rotation::reversed).nodes, lifter.nodes);
 }
 
+// What stands at +xi stands at -xi, and what came first along the surface comes last.
+TEST(Rotation, TurnsWhatLiesOnTheLiner) {
+  const Eigen::Vector2d point(0.02, 0.1);
+  EXPECT_EQ(as_turned(point, Rotation::as_new), point);
+  EXPECT_EQ(as_turned(point, Rotation::reversed), Eigen::Vector2d(-0.02, 0.1));
+  const std::vector<double> at_nodes = {1.0, 2.0, 5.0};
+  EXPECT_EQ(as_turned(at_nodes, Rotation::as_new), at_nodes);
+  EXPECT_EQ(as_turned(at_nodes, Rotation::reversed), (std::vector<double>{5.0, 2.0, 1.0}));
+  const Eigen::Matrix<double, 3, 2> by_bin{{1.0, 10.0}, {2.0, 20.0}, {5.0, 50.0}};
+  const Eigen::Matrix<double, 3, 2> turned{{5.0, 50.0}, {2.0, 20.0}, {1.0, 10.0}};
+  EXPECT_EQ(by_bin_as_turned(by_bin, Rotation::as_new), by_bin);
+  EXPECT_EQ(by_bin_as_turned(by_bin, Rotation::reversed), turned);
+}
+
 }  // namespace
 }  // namespace millwear

@@ -2,12 +2,31 @@
 
 #include <gmock/gmock.h>
 
+#include <CLI/CLI.hpp>
 #include <vector>
+
+#include "orchestrator/app/calibrate_verb.h"
+#include "orchestrator/app/compare_verb.h"
+#include "orchestrator/app/import_verb.h"
+#include "orchestrator/app/run_verb.h"
+#include "orchestrator/app/tune_verb.h"
+#include "orchestrator/app/verbs.h"
 
 namespace millwear::orchestrator {
 namespace {
 
 using testing::HasSubstr;
+
+/// A verb's options from the words behind its name.
+template <class Options>
+Options options_from(std::vector<std::string> words) {
+  CLI::App verb;
+  Options options;
+  add_options(verb, options);
+  std::reverse(words.begin(), words.end());
+  verb.parse(words);
+  return options;
+}
 
 struct Answer {
   ParsedCommandLine parsed;
@@ -20,60 +39,41 @@ Answer answer_to(std::vector<const char*> words) {
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
   const auto parsed = parse_command_line(static_cast<int>(words.size()), words.data());
+  std::fflush(stdout);
+  std::fflush(stderr);
   return {parsed, testing::internal::GetCapturedStdout(), testing::internal::GetCapturedStderr()};
 }
 
 TEST(CommandLine, TakesEveryOptionOfRun) {
-  const auto parsed = answer_to({"run", "case.toml", "--out", "there", "--ranks", "4", "--json",
-                                 "-q", "--dry-run", "--explain"})
-                          .parsed;
-  ASSERT_TRUE(parsed.command);
-  EXPECT_EQ(parsed.command->verb, Verb::run);
-  EXPECT_EQ(parsed.command->case_file, "case.toml");
-  EXPECT_EQ(parsed.command->out, "there");
-  EXPECT_EQ(parsed.command->ranks, 4);
-  EXPECT_EQ(parsed.command->form, OutputForm::json);
-  EXPECT_EQ(parsed.command->verbosity, Verbosity::quiet);
-  EXPECT_TRUE(parsed.command->dry_run);
-  EXPECT_TRUE(parsed.command->explain);
-}
-
-TEST(CommandLine, KnowsEveryVerb) {
-  const std::vector<std::pair<const char*, Verb>> verbs = {
-      {"check", Verb::check}, {"mesh", Verb::mesh},       {"deck", Verb::deck},
-      {"run", Verb::run},     {"status", Verb::status},   {"report", Verb::report},
-      {"wear", Verb::wear},   {"compare", Verb::compare}, {"calibrate", Verb::calibrate},
-      {"tune", Verb::tune}};
-  for (const auto& [name, verb] : verbs)
-    EXPECT_EQ(answer_to({name, "case.toml"}).parsed.command->verb, verb) << name;
+  const auto run = options_from<RunOptions>(
+      {"case.toml", "--out", "there", "--ranks", "4", "--json", "-q", "--dry-run", "--explain"});
+  EXPECT_EQ(run.common.case_file, "case.toml");
+  EXPECT_EQ(run.out, "there");
+  EXPECT_EQ(run.ranks, 4);
+  EXPECT_EQ(run.common.form, OutputForm::json);
+  EXPECT_EQ(run.common.verbosity, Verbosity::quiet);
+  EXPECT_TRUE(run.dry_run);
+  EXPECT_TRUE(run.explain);
 }
 
 TEST(CommandLine, TakesEveryOptionOfCompare) {
-  const auto parsed =
-      answer_to({"compare", "case.toml", "--calibrate-until", "5112", "--gauge-on", "plate",
-                 "--plot", "course.png", "--csv", "course.csv", "--readings", "there"})
-          .parsed;
-  ASSERT_TRUE(parsed.command);
-  EXPECT_EQ(parsed.command->calibrate_until, 5112.0);
-  EXPECT_EQ(parsed.command->gauge_on, GaugeOn::plate);
-  EXPECT_EQ(parsed.command->plot, "course.png");
-  EXPECT_EQ(parsed.command->csv, "course.csv");
-  EXPECT_EQ(parsed.command->readings, "there");
-  EXPECT_FALSE(answer_to({"compare", "case.toml"}).parsed.command->calibrate_until);
-  EXPECT_EQ(answer_to({"compare", "case.toml", "--calibrate-until", "-1"}).parsed.exit_code, 2);
-  EXPECT_EQ(answer_to({"compare", "case.toml", "--gauge-on", "shell"}).parsed.exit_code, 2);
+  const auto compare = options_from<CompareOptions>({"case.toml", "--calibrate-until", "5112",
+                                                     "--gauge-on", "plate", "--plot", "course.png",
+                                                     "--csv", "course.csv", "--readings", "there"});
+  EXPECT_EQ(compare.calibrate_until, 5112.0);
+  EXPECT_EQ(compare.gauge_on, GaugeOn::plate);
+  EXPECT_EQ(compare.plot, "course.png");
+  EXPECT_EQ(compare.csv, "course.csv");
+  EXPECT_EQ(compare.readings, "there");
+  EXPECT_FALSE(options_from<CompareOptions>({"case.toml"}).calibrate_until);
 }
 
 TEST(CommandLine, TakesEveryOptionOfImport) {
-  const auto parsed = answer_to({"import", "case.toml",  "scan.dxf",    "--hours",    "5112",
-                                 "--unit", "mm",         "--layer",     "LINER",      "--align",
-                                 "ends",   "--mirror",   "--reference", "old.csv",    "--error-mm",
-                                 "0.5",    "--plate-mm", "70",          "--readings", "there"})
-                          .parsed;
-  ASSERT_TRUE(parsed.command);
-  EXPECT_EQ(parsed.command->verb, Verb::import);
-  EXPECT_EQ(parsed.command->readings, "there");
-  const ImportOptions& import = parsed.command->import;
+  const auto import = options_from<ImportOptions>(
+      {"case.toml", "scan.dxf", "--hours", "5112", "--unit", "mm", "--layer", "LINER", "--align",
+       "ends", "--mirror", "--reference", "old.csv", "--error-mm", "0.5", "--plate-mm", "70",
+       "--readings", "there"});
+  EXPECT_EQ(import.readings, "there");
   EXPECT_EQ(import.curve, "scan.dxf");
   EXPECT_EQ(import.hours, 5112.0);
   EXPECT_EQ(import.unit, LengthUnit::millimetre);
@@ -86,41 +86,56 @@ TEST(CommandLine, TakesEveryOptionOfImport) {
 }
 
 TEST(CommandLine, TakesTwoProfilesToCompare) {
-  const auto parsed =
-      answer_to({"compare", "case.toml", "--profiles", "a.csv", "b.csv", "--json"}).parsed;
-  ASSERT_TRUE(parsed.command);
-  EXPECT_EQ(parsed.command->compared_profiles,
+  EXPECT_EQ(options_from<CompareOptions>({"case.toml", "--profiles", "a.csv", "b.csv", "--json"})
+                .compared_profiles,
             (std::vector<std::filesystem::path>{"a.csv", "b.csv"}));
 }
 
 TEST(CommandLine, TakesEveryOptionOfCalibrate) {
-  const auto parsed = answer_to({"calibrate", "case.toml", "--out", "run", "--readings", "measured",
-                                 "--until", "4000", "--csv", "readings.csv", "--json"})
-                          .parsed;
-  ASSERT_TRUE(parsed.command);
-  EXPECT_EQ(parsed.command->readings, "measured");
-  EXPECT_EQ(parsed.command->until, 4000.0);
-  EXPECT_EQ(parsed.command->csv, "readings.csv");
-  EXPECT_EQ(parsed.command->out, "run");
-  const auto bare = answer_to({"calibrate", "case.toml"}).parsed;
-  EXPECT_FALSE(bare.command->readings);
-  EXPECT_FALSE(bare.command->until);
+  const auto calibrate =
+      options_from<CalibrateOptions>({"case.toml", "--out", "run", "--readings", "measured",
+                                      "--until", "4000", "--csv", "readings.csv", "--json"});
+  EXPECT_EQ(calibrate.readings, "measured");
+  EXPECT_EQ(calibrate.until, 4000.0);
+  EXPECT_EQ(calibrate.csv, "readings.csv");
+  EXPECT_EQ(calibrate.out, "run");
+  const auto bare = options_from<CalibrateOptions>({"case.toml"});
+  EXPECT_FALSE(bare.readings);
+  EXPECT_FALSE(bare.until);
 }
 
 TEST(CommandLine, TakesEveryOptionOfTune) {
-  const auto parsed =
-      answer_to({"tune", "case.toml", "--out", "run", "--ranks", "2", "--json"}).parsed;
-  ASSERT_TRUE(parsed.command);
-  EXPECT_EQ(parsed.command->out, "run");
-  EXPECT_EQ(parsed.command->ranks, 2);
-  EXPECT_EQ(parsed.command->form, OutputForm::json);
+  const auto tune =
+      options_from<TuneOptions>({"case.toml", "--out", "run", "--ranks", "2", "--json"});
+  EXPECT_EQ(tune.out, "run");
+  EXPECT_EQ(tune.ranks, 2);
+  EXPECT_EQ(tune.common.form, OutputForm::json);
+}
+
+TEST(CommandLine, HasAnActionForEveryVerb) {
+  for (const Verb& verb : verbs()) {
+    const auto parsed = std::string(verb.name) == "import"
+                            ? answer_to({verb.name, "case.toml", "--hours", "1"}).parsed
+                            : answer_to({verb.name, "case.toml"}).parsed;
+    EXPECT_TRUE(parsed.action) << verb.name;
+  }
+}
+
+TEST(CommandLine, ShowsExamplesWithTheHelpOfEveryVerb) {
+  for (const Verb& verb : verbs())
+    EXPECT_THAT(answer_to({verb.name, "--help"}).out, HasSubstr(std::string("Examples:\n  ")))
+        << verb.name;
+}
+
+TEST(CommandLine, HasOneLineOfHelpForEveryVerb) {
+  for (const Verb& verb : verbs()) EXPECT_LE(std::string(verb.help).size(), 80u) << verb.name;
 }
 
 TEST(CommandLine, EndsWellAfterHelpAndVersionOnStandardOutput) {
   for (const auto& words : std::vector<std::vector<const char*>>{
            {"--help"}, {"-h"}, {"run", "--help"}, {"--version"}}) {
     const Answer answer = answer_to(words);
-    EXPECT_FALSE(answer.parsed.command);
+    EXPECT_FALSE(answer.parsed.action);
     EXPECT_EQ(answer.parsed.exit_code, 0);
     EXPECT_THAT(answer.out, HasSubstr("millwear"));
     EXPECT_EQ(answer.err, "");
@@ -144,14 +159,29 @@ TEST(CommandLine, RefusesWrongUsageWithExitCode2OnStandardError) {
            {"import", "case.toml", "--hours", "1", "--unit", "inch"},
            {"import", "case.toml", "--hours", "1", "--align", "well"},
            {"compare", "case.toml", "--profiles", "a.csv"},
+           {"compare", "case.toml", "--calibrate-until", "-1"},
+           {"compare", "case.toml", "--gauge-on", "shell"},
            {"calibrate", "case.toml", "--until", "-1"},
            {"wear", "case.toml", "--until", "4000"}}) {
     const Answer answer = answer_to(words);
-    EXPECT_FALSE(answer.parsed.command);
+    EXPECT_FALSE(answer.parsed.action);
     EXPECT_EQ(answer.parsed.exit_code, 2);
     EXPECT_EQ(answer.out, "");
     EXPECT_THAT(answer.err, HasSubstr("--help"));
   }
+}
+
+TEST(CommandLine, NamesTheVerbThatIsNearest) {
+  EXPECT_EQ(answer_to({"runn", "case.toml"}).err,
+            "millwear: `runn` is no verb; did you mean `run`? See `millwear --help`\n");
+  EXPECT_EQ(answer_to({"xyzzyplugh"}).err,
+            "millwear: `xyzzyplugh` is no verb; see `millwear --help`\n");
+}
+
+TEST(CommandLine, NamesTheOptionThatIsNearest) {
+  EXPECT_EQ(answer_to({"run", "case.toml", "--rank=2"}).err,
+            "millwear: `--rank` is no option of `run`; did you mean `--ranks`? "
+            "See `millwear run --help`\n");
 }
 
 TEST(CommandLine, SaysWhichRanksAreAllowed) {

@@ -1,3 +1,5 @@
+#include "orchestrator/app/compare_verb.h"
+
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -5,7 +7,6 @@
 #include "mill/base/failure.h"
 #include "mill/case_file/case_file.h"
 #include "mill/case_file/case_lock.h"
-#include "orchestrator/app/verbs.h"
 #include "orchestrator/results/history.h"
 #include "orchestrator/results/profiles.h"
 #include "orchestrator/results/replicates.h"
@@ -61,29 +62,29 @@ class CompareVerb : public testing::Test {
     put_text(results / "replicates.csv", replicates_csv(rows));
   }
 
-  Command command() const {
-    Command made{};
-    made.verb = Verb::compare;
-    made.case_file = pilot;
+  CompareOptions asked() const {
+    CompareOptions made;
+    made.common.case_file = pilot;
     made.out = folder.path();
     made.readings = folder.path() / "gauge";
     made.calibrate_until = 250.0;
     return made;
   }
 
-  static std::string printed(const Command& command) {
+  static std::string printed(const CompareOptions& asked) {
     testing::internal::CaptureStdout();
-    compare_verb(command);
+    compare_verb(asked);
     std::fflush(stdout);
     return testing::internal::GetCapturedStdout();
   }
 
   const TemporaryFolder folder;
+  const TemporaryFolder elsewhere;
 };
 
 TEST_F(CompareVerb, CalibratesAlongSmallFilesThatLieInTheFolderItself) {
   keep_results(folder.path());
-  const std::string text = printed(command());
+  const std::string text = printed(asked());
   EXPECT_THAT(text, HasSubstr("times 0.5,"));
   EXPECT_THAT(text, HasSubstr("prediction off by 0.5 mm (rms), straight line by 0.5 mm"));
   EXPECT_THAT(text, HasSubstr("has no replicates.csv"));
@@ -92,9 +93,9 @@ TEST_F(CompareVerb, CalibratesAlongSmallFilesThatLieInTheFolderItself) {
 TEST_F(CompareVerb, CalibratesAlongTheResultsOfACampaign) {
   keep_results(folder.path() / "results");
   keep_replicates(folder.path() / "results");
-  Command with_files = command();
-  with_files.form = OutputForm::json;
-  with_files.csv = folder.path() / "course.csv";
+  CompareOptions with_files = asked();
+  with_files.common.form = OutputForm::json;
+  with_files.csv = elsewhere.path() / "course.csv";
   const std::string json = printed(with_files);
   EXPECT_THAT(json, HasSubstr("\"calibrated_until_hours\": 250.0"));
   EXPECT_THAT(json, Not(HasSubstr("replicates.csv")));
@@ -105,8 +106,8 @@ TEST_F(CompareVerb, CalibratesAlongTheResultsOfACampaign) {
 
 TEST_F(CompareVerb, DrawsAPicture) {
   keep_results(folder.path());
-  Command drawing = command();
-  drawing.plot = folder.path() / "course.png";
+  CompareOptions drawing = asked();
+  drawing.plot = elsewhere.path() / "course.png";
   printed(drawing);
   EXPECT_THAT(text_of(*drawing.plot), testing::StartsWith("\x89PNG"));
 }
@@ -114,33 +115,50 @@ TEST_F(CompareVerb, DrawsAPicture) {
 TEST_F(CompareVerb, ComparesAsRunWhereNothingSaysHowFarToCalibrate) {
   keep_results(folder.path());
   put_text(folder.path() / "profiles.csv", profiles_csv({}));
-  Command as_run = command();
+  CompareOptions as_run = asked();
   as_run.calibrate_until = 0.0;
   EXPECT_THAT(printed(as_run), HasSubstr("Heights differ by"));
 }
 
 TEST_F(CompareVerb, RefusesOptionsOfACalibrationThatIsNotAskedFor) {
   keep_results(folder.path());
-  Command without = command();
+  CompareOptions without = asked();
   without.calibrate_until.reset();
   without.gauge_on = GaugeOn::plate;
   EXPECT_THAT(failure_of<Failure>([&] { compare_verb(without); }),
               HasSubstr("add --calibrate-until HOURS"));
-  Command profiles = command();
+  CompareOptions profiles = asked();
   profiles.compared_profiles = {"a.csv", "b.csv"};
   EXPECT_THAT(failure_of<Failure>([&] { compare_verb(profiles); }), HasSubstr("leave"));
 }
 
 TEST_F(CompareVerb, RefusesAFolderWithoutResultsAndWritesNothing) {
-  Command command = this->command();
-  command.csv = folder.path() / "course.csv";
-  EXPECT_THAT(failure_of<Failure>([&] { compare_verb(command); }),
+  CompareOptions wanted = asked();
+  wanted.csv = elsewhere.path() / "course.csv";
+  EXPECT_THAT(failure_of<Failure>([&] { compare_verb(wanted); }),
               HasSubstr("no campaign with results is here"));
   keep_results(folder.path());
-  command.calibrate_until = 100.0;
-  EXPECT_THAT(failure_of<Failure>([&] { compare_verb(command); }),
+  wanted.calibrate_until = 100.0;
+  EXPECT_THAT(failure_of<Failure>([&] { compare_verb(wanted); }),
               HasSubstr("the first is of 200 h"));
-  EXPECT_FALSE(fs::exists(*command.csv));
+  EXPECT_FALSE(fs::exists(*wanted.csv));
+}
+
+TEST_F(CompareVerb, DoesNotWriteAmongTheCampaignsOwnFiles) {
+  keep_results(folder.path() / "results");
+  for (const char* const name : {"results/history.csv", "results/new.csv", "case.lock.toml"}) {
+    const std::string before =
+        fs::exists(folder.path() / name) ? text_of(folder.path() / name) : "";
+    CompareOptions table = asked();
+    table.csv = folder.path() / name;
+    EXPECT_THAT(failure_of<Failure>([&] { compare_verb(table); }),
+                HasSubstr("among the campaign's own files"));
+    CompareOptions picture = asked();
+    picture.plot = folder.path() / name;
+    EXPECT_THAT(failure_of<Failure>([&] { compare_verb(picture); }),
+                HasSubstr("among the campaign's own files"));
+    EXPECT_EQ(fs::exists(folder.path() / name) ? text_of(folder.path() / name) : "", before);
+  }
 }
 
 }  // namespace

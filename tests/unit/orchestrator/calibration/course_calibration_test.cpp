@@ -234,7 +234,7 @@ TEST(CalibratedCourse, NotesThatReversalsAreDividedToo) {
 
 // The report has it where the case says how far to calibrate, and a warning where it cannot.
 TEST(CalibratedCourse, IsForTheReportWhereTheCaseSaysHowFar) {
-  ReportData data{};
+  CampaignResults data{};
   data.history = campaign().history;
   Case own = mill();
   own.gauge = {};

@@ -239,7 +239,7 @@ TEST_F(GaugeImport, ReportShowsHeightsAndProfiles) {
   ImportRequest plate = request(200, {});
   plate.plate_thickness = 0.01;
   take(plate);
-  ReportData data{};
+  CampaignResults data{};
   add_readings(readings_in(folder.path() / "gauge", mill), data);
   ASSERT_EQ(data.measured.size(), 2U);
   EXPECT_EQ(data.measured[0].height, 0.04);

@@ -6,6 +6,8 @@
 #include "orchestrator/campaign/campaign.h"
 #include "orchestrator/campaign/kept_cycle.h"
 #include "orchestrator/campaign/ledger.h"
+#include "orchestrator/dem_run/stretch_stages.h"
+#include "orchestrator/stages/mesh_stage.h"
 #include "orchestrator/stages/run_stage.h"
 #include "orchestrator/stages/wear_stage.h"
 #include "tests/support/example_case.h"

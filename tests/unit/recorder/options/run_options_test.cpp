@@ -9,11 +9,11 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST(RunOptions, NameTheDeck) { EXPECT_EQ(deck_option({"--in", "deck.in"}), "deck.in"); }
+TEST(RunOptions, NameTheDeck) { EXPECT_EQ(run_options({"--in", "deck.in"}).deck, "deck.in"); }
 
 TEST(RunOptions, RefuseADeckThatIsMissing) {
   try {
-    static_cast<void>(deck_option({}));
+    static_cast<void>(run_options({}));
     FAIL() << "no deck was taken";
   } catch (const Failure& problem) {
     EXPECT_EQ(problem.exit_code, ExitCode::usage);

@@ -32,7 +32,7 @@ TEST(Course, TellsWhenAValueIsReached) {
 // The mill reads 60 mm after 300 h, the course after 150 h: half the coefficient.
 TEST(FactorOfACourse, OfOneReadingIsTheRatioOfTheHours) {
   const std::vector<DatedLength> one = {{300.0, 0.060, 0.002}};
-  const FactorFit fit = factor_of(bent(), one);
+  const CourseFactor fit = factor_of(bent(), one);
   EXPECT_NEAR(fit.factor, 0.5, 1e-12);
   EXPECT_EQ(fit.place, FactorPlace::inside);
 }

@@ -20,18 +20,16 @@ TEST(LossAt, FollowsAGrowingPace) {
   for (const double time : {0.1, 0.2, 0.5 * std::log(2.0)}) {
     const PathLoss loss = loss_at(path, VectorXd::Ones(1), time);
     EXPECT_NEAR(loss.lost[0], 1.5 * std::expm1(2.0 * time), 1e-6);
-    EXPECT_FALSE(loss.beyond_path);
   }
   EXPECT_NEAR(time_of_path(path, VectorXd::Ones(1)), 0.5 * std::log(2.0), 1e-12);
 }
 
 // Over two pieces of one pace, 1 m2/s, and after them by the last loss: 1 + 3 + 0.5 x 3.
-TEST(LossAt, GoesOnAfterTheLastLinerAndSaysSo) {
+TEST(LossAt, GoesOnAfterTheLastLiner) {
   const WearPath path =
       one_zone_path({{1.0, {1.0, 1.0}, {1.0, 1.0}}, {1.0, {1.0, 1.0}, {3.0, 3.0}}});
   const PathLoss loss = loss_at(path, VectorXd::Ones(1), 2.5);
   EXPECT_NEAR(loss.lost[0], 5.5, 1e-12);
-  EXPECT_TRUE(loss.beyond_path);
 }
 
 TEST(LossAt, IsNothingForANewLiner) {

@@ -12,6 +12,13 @@ TEST(ArcCurve, IsTheBinsValueAtItsCentre) { EXPECT_DOUBLE_EQ(curve.at(2.5), 4.0)
 
 TEST(ArcCurve, IsLinearBetweenCentres) { EXPECT_DOUBLE_EQ(curve.at(1.75), 2.5); }
 
+// A curve of the mirror image, which is run through from its other end.
+TEST(ArcCurve, OfAReversedMillIsTheSameFromTheOtherEnd) {
+  const ArcCurve turned = as_turned(curve, Rotation::reversed);
+  for (const double s : {0.0, 0.5, 1.75, 3.9}) EXPECT_DOUBLE_EQ(turned.at(4.0 - s), curve.at(s));
+  EXPECT_EQ(as_turned(curve, Rotation::as_new).values, curve.values);
+}
+
 TEST(ArcCurve, GoesOnAcrossTheSectorEdge) {
   EXPECT_DOUBLE_EQ(curve.at(0.0), 2.0);
   EXPECT_DOUBLE_EQ(curve.at(4.0), 2.0);

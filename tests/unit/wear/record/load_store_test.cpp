@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <hdf5.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -150,6 +151,29 @@ TEST_F(LoadStore, KeepsTheLoadsOfEveryCycle) {
   ASSERT_EQ(found.size(), 2U);
   EXPECT_EQ(found[1].cycle, 7);
   expect_same(found[1].load, loads[1].load);
+}
+
+// 4 x 64 x 600 doubles are more than HDF5's chunk cache of 1 MiB, 4 x 64 x 512 just fill it.
+TEST_F(LoadStore, WritesTheSameBytesForLoadsThatWerePackedBefore) {
+  std::vector<StoredLoad> loads;
+  for (const int bins : {100, 512, 600}) {
+    WallLoad load = sample_load(0.1);
+    load.bin_edges = Eigen::VectorXd::LinSpaced(bins + 1, 0.0, 0.7);
+    load.class_count = 4;
+    load.block_count = 64;
+    for (auto& values : load.values)
+      values = Eigen::MatrixXd::NullaryExpr(bins, 256, [](auto bin, auto column) {
+        return std::sqrt(static_cast<double>(bin * column));
+      });
+    loads.push_back({static_cast<int>(loads.size()), load});
+    loads.push_back({static_cast<int>(loads.size()), sample_load(0.2)});
+  }
+  write_loads(file, loads);
+  const auto first = bytes_of(file);
+  std::vector<PackedLoad> packed_before;
+  for (const auto& load : loads) packed_before.push_back(packed(load));
+  write_loads(file, packed_before);
+  EXPECT_TRUE(bytes_of(file) == first);
 }
 
 TEST_F(LoadStore, WritesTheSameBytesForTheSameLoad) {

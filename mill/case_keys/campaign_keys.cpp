@@ -1,0 +1,67 @@
+#include "mill/case_keys/campaign_keys.h"
+
+#include "mill/case/case_units.h"
+
+namespace millwear {
+namespace {
+
+using key::choice;
+using key::defaulted;
+using key::in;
+using key::optional;
+using key::required;
+
+key::Place<CampaignSettings, std::vector<double>> reversal_times() {
+  return {[](CampaignSettings& campaign, std::vector<double> times) {
+            campaign.reversal_times = std::move(times);
+          },
+          [](const CampaignSettings& campaign) {
+            return campaign.reversal_times.empty() ? std::nullopt
+                                                   : std::optional(campaign.reversal_times);
+          }};
+}
+
+}  // namespace
+
+const std::vector<KeyRow<CampaignSettings>>& campaign_keys() {
+  using Campaign = CampaignSettings;
+  static const auto rows = rows_of<Campaign>(
+      "campaign",
+      {choice(Presence::defaulted, "scheme", in(&Campaign::scheme),
+              {Scheme::threshold, Scheme::adaptive},
+              "how the next DEM is timed: after a worn `threshold` (the 2006 paper), or by the "
+              "error of the last step"),
+       defaulted("threshold", in(&Campaign::threshold), above_up_to(0.0, 1.0),
+                 "worn share of the new lifter's volume per DEM load (with `threshold`) [-]"),
+       defaulted("step_tolerance", in(&Campaign::step_tolerance), above_up_to(0.0, 0.5),
+                 "share of the new lifter's volume that one DEM load may wear at the wrong place "
+                 "(with `adaptive`) [-]"),
+       defaulted("largest_share", in(&Campaign::largest_share), above_up_to(0.0, 10.0),
+                 "share of the new lifter's volume that one DEM load may wear at all (with "
+                 "`adaptive`) [-]"),
+       defaulted("steps_per_cycle", in(&Campaign::steps_per_cycle), between(1, 1000),
+                 "geometry steps on one DEM load"),
+       required("height_limit_m", in(&Campaign::height_limit), at_least(-10.0),
+                "the liner is worn out at this lifter height, from where the plate was when new: "
+                "below 0 the crest stands lower than the new plate did [m]"),
+       optional("plate_limit_m", in(&Campaign::plate_limit), at_least(0.0),
+                "... or at this least plate thickness; a tenth of `plate_thickness_m` where "
+                "missing [m]"),
+       defaulted("cycle_limit", in(&Campaign::cycle_limit), between(1, 10000),
+                 "the campaign stops after so many cycles"),
+       optional("reversal_hours", converted(time_from_hours, reversal_times()), positive,
+                "operating hours at which the mill is made to turn the other way, increasing; "
+                "never where missing [h]")});
+  return rows;
+}
+
+const std::vector<KeyRow<GaugeSettings>>& gauge_keys() {
+  static const auto rows = rows_of<GaugeSettings>(
+      "gauge",
+      {optional("calibrate_until_hours", in(&GaugeSettings::calibrate_until), positive,
+                "`compare` and the report calibrate the campaign's hours on the heights read up to "
+                "these operating hours and predict the later ones; not at all where missing [h]")});
+  return rows;
+}
+
+}  // namespace millwear

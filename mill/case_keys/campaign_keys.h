@@ -1,0 +1,15 @@
+#pragma once
+#include <vector>
+
+#include "mill/case/case.h"
+#include "mill/case_keys/key_row.h"
+
+namespace millwear {
+
+/// The keys of [campaign]. Before they are read, `plate_limit` holds its default.
+[[nodiscard]] const std::vector<KeyRow<CampaignSettings>>& campaign_keys();
+
+/// The keys of [gauge].
+[[nodiscard]] const std::vector<KeyRow<GaugeSettings>>& gauge_keys();
+
+}  // namespace millwear

@@ -1,0 +1,16 @@
+#pragma once
+#include "orchestrator/app/common_options.h"
+
+namespace millwear::orchestrator {
+
+/// What `millwear check` is told.
+struct CheckOptions {
+  CommonOptions common;
+};
+
+void add_options(CLI::App& verb, CheckOptions& options);
+
+/// Prints what the case would simulate.
+void check_verb(const CheckOptions& options);
+
+}  // namespace millwear::orchestrator

@@ -1,0 +1,38 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "orchestrator/dem_run/progress.h"
+
+namespace CLI {
+class App;
+}
+
+namespace millwear::orchestrator {
+
+enum class OutputForm { text, json };
+
+/// What every verb is told.
+struct CommonOptions {
+  std::filesystem::path case_file;
+  OutputForm form = OutputForm::text;
+  Verbosity verbosity = Verbosity::normal;
+};
+
+/// Adds the case file, --json, --quiet and --verbose to a verb's command line.
+void add_options(CLI::App& verb, CommonOptions& options);
+
+/// Adds --out, the folder of the case's campaign.
+void add_campaign_folder(CLI::App& verb, std::filesystem::path& out);
+
+/// Adds --ranks.
+void add_ranks(CLI::App& verb, std::optional<int>& ranks);
+
+/// Adds --readings, the folder of the gauge readings.
+void add_readings_folder(CLI::App& verb, std::optional<std::filesystem::path>& readings);
+
+/// Adds --csv, with what is written there.
+void add_csv(CLI::App& verb, std::optional<std::filesystem::path>& csv, const std::string& what);
+
+}  // namespace millwear::orchestrator

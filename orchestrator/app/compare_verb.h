@@ -1,0 +1,28 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "orchestrator/app/common_options.h"
+#include "orchestrator/results/calibrated_course.h"
+
+namespace millwear::orchestrator {
+
+/// What `millwear compare` is told.
+struct CompareOptions {
+  CommonOptions common;
+  std::filesystem::path out;                             ///< empty: runs/NAME
+  std::optional<std::filesystem::path> csv;              ///< to be written
+  std::optional<std::filesystem::path> readings;         ///< folder of the gauge readings
+  std::vector<std::filesystem::path> compared_profiles;  ///< none, or two
+  std::optional<double> calibrate_until;  ///< instead of the case's [h]; 0 for not at all
+  std::optional<GaugeOn> gauge_on;
+  std::optional<std::filesystem::path> plot;  ///< to be written
+};
+
+void add_options(CLI::App& verb, CompareOptions& options);
+
+/// Compares the campaign with the readings, or two profiles.
+void compare_verb(const CompareOptions& options);
+
+}  // namespace millwear::orchestrator

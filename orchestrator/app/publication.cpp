@@ -1,0 +1,71 @@
+#include "orchestrator/app/publication.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "mill/base/failure.h"
+#include "mill/base/whole_file.h"
+#include "orchestrator/calibration/course_calibration.h"
+#include "orchestrator/gauge/gauge_folder.h"
+#include "orchestrator/report/report_files.h"
+#include "orchestrator/results/gather.h"
+#include "orchestrator/results/result_files.h"
+
+namespace millwear::orchestrator {
+namespace {
+
+void add_readings_of(const Case& mill, const std::optional<std::filesystem::path>& named,
+                     CampaignResults& data) {
+  try {
+    const auto readings = readings_in(gauge_folder(mill, named), mill);
+    add_readings(readings, data);
+    add_calibrated_course(mill, readings, data);
+  } catch (const InputError& problem) {
+    if (named) throw;
+    data.warnings.push_back(fmt::format("the gauge readings are left out: {}", problem.what()));
+  }
+}
+
+}  // namespace
+
+CampaignResults publish_campaign(const OpenCampaign& opened,
+                                 const std::optional<std::filesystem::path>& readings) {
+  const auto& [campaign, ledger] = opened;
+  CampaignResults data = gather(campaign, ledger);
+  add_readings_of(campaign.mill, readings, data);
+  publish_results(campaign, ledger, data);
+  publish_report(campaign.folder.report(), data);
+  return data;
+}
+
+void publish_pictures_if_possible(const RunFolder& folder, const CampaignResults& data,
+                                  Progress& progress) {
+  try {
+    publish_pictures(folder.results(), data);
+  } catch (const ExternalProgramError& problem) {
+    progress.say(std::string("no pictures in results/: ") + problem.what());
+  }
+}
+
+std::string spoken_outcome(const CampaignResults& data) {
+  if (data.history.empty()) return "no cycle is finished yet";
+  const auto& last = data.history.back();
+  const std::string band = std::isfinite(data.life.hours_low)
+                               ? fmt::format(" (95 % band {:.0f} to {:.0f} h)", data.life.hours_low,
+                                             data.life.hours_high)
+                               : "";
+  return fmt::format("{} {:.0f} h{}: lifter {:.1f} mm high, plate {:.1f} mm thick, {} cycles",
+                     data.life.reached ? "worn out at" : "worn for", last.operating_hours, band,
+                     1e3 * last.lifter_height, 1e3 * last.plate_thickness,
+                     data.conservation.size());
+}
+
+void print_outcome(OutputForm form, const RunFolder& folder, const CampaignResults& data) {
+  if (form == OutputForm::json)
+    fmt::print("{}\n", read_file(folder.results() / "summary.json"));
+  else
+    fmt::print("{}\nreport: {}\n", spoken_outcome(data), folder.report().string());
+}
+
+}  // namespace millwear::orchestrator

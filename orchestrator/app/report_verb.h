@@ -1,0 +1,21 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+
+#include "orchestrator/app/common_options.h"
+
+namespace millwear::orchestrator {
+
+/// What `millwear report` is told.
+struct ReportOptions {
+  CommonOptions common;
+  std::filesystem::path out;                      ///< empty: runs/NAME
+  std::optional<std::filesystem::path> readings;  ///< folder of the gauge readings
+};
+
+void add_options(CLI::App& verb, ReportOptions& options);
+
+/// Writes the results and the report of the campaign so far.
+void report_verb(const ReportOptions& options);
+
+}  // namespace millwear::orchestrator

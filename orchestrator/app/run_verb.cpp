@@ -1,0 +1,150 @@
+#include "orchestrator/app/run_verb.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <ctime>
+
+#include "mill/base/failure.h"
+#include "mill/base/version.h"
+#include "mill/base/whole_file.h"
+#include "mill/case_file/case_file.h"
+#include "mill/case_file/case_warnings.h"
+#include "orchestrator/app/publication.h"
+#include "orchestrator/campaign/open_campaign.h"
+#include "orchestrator/campaign/output_path.h"
+#include "orchestrator/campaign/run_lock.h"
+#include "orchestrator/campaign/stage_order.h"
+#include "orchestrator/dem_run/child_process.h"
+#include "orchestrator/dem_run/cost_estimate.h"
+#include "orchestrator/dem_run/stretch_run.h"
+#include "orchestrator/stages/run_stage.h"
+
+namespace millwear::orchestrator {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t full_disk_bytes = 1 << 20;
+
+std::string host_name() {
+  std::array<char, 256> name{};
+  return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "unknown";
+}
+
+/// What a stage adds to the share of the liner's life: measuring and wearing take a cycle's share,
+/// expected to be that of the cycle before. How far the first load of the adaptive scheme goes is
+/// not known beforehand.
+struct StageShare {
+  double before;
+  double after;
+};
+
+StageShare share_of(const Campaign& campaign, const StageId& stage) {
+  const double now = share_of_life(campaign.mill, liner_of_cycle(campaign, stage.cycle));
+  if (stage.kind != StageKind::dem) return {now, now};
+  const double earlier =
+      stage.cycle == 0 ? 0.0
+                       : share_of_life(campaign.mill, liner_of_cycle(campaign, stage.cycle - 1));
+  const auto& settings = campaign.mill.campaign;
+  const double first = settings.scheme == Scheme::threshold ? settings.threshold : 0.0;
+  const double gain = stage.cycle == 0 ? first : now - earlier;
+  return {now, std::min(1.0, now + gain)};
+}
+
+/// A stage's failure with its name. On a disk without room it is the disk's failure, whatever gmsh
+/// or LIGGGHTS made of it.
+Failure failure_of_stage(const Campaign& campaign, const StageId& stage, const Failure& failure) {
+  std::error_code unknown;
+  const auto free = fs::space(campaign.folder.root, unknown).available;
+  if (unknown || free >= full_disk_bytes)
+    return {failure.exit_code, fmt::format("{}: {}", name_of(stage), failure.what())};
+  return DiskError(
+      fmt::format("{}: the disk is full ({} kB are free); free some, then the same "
+                  "command goes on: {}",
+                  name_of(stage), free >> 10, failure.what()));
+}
+
+LedgerEntry run_and_tell(const Campaign& campaign, const StageId& stage, Progress& progress) {
+  stop_if_interrupted();
+  const auto share = share_of(campaign, stage);
+  progress.begin(name_of(stage), share.before, share.after);
+  try {
+    const LedgerEntry entry = run_stage(campaign, stage, progress);
+    progress.end();
+    progress.detail(fmt::format("{} took {:.2f} s", name_of(stage), entry.wall_seconds));
+    return entry;
+  } catch (const Failure& failure) {
+    throw failure_of_stage(campaign, stage, failure);
+  }
+}
+
+enum class Explanation { next_stage, every_stage };
+
+void explain_campaign(const OpenCampaign& opened, Explanation how) {
+  if (const auto next = next_stage(opened.ledger, plan_of(opened.campaign.mill)))
+    fmt::print("{} would run next, because {}; then the rest of the campaign\n",
+               name_of(next->stage), next->why);
+  else
+    fmt::print("nothing is left to run: the campaign ended ({})\n",
+               name_of(outcome_of(opened.ledger)));
+  if (how == Explanation::every_stage)
+    for (const auto& entry : opened.ledger.entries)
+      fmt::print("{} is up to date: its {} files are as they were published\n",
+                 name_of(entry.stage), entry.outputs.size());
+}
+
+}  // namespace
+
+void add_options(CLI::App& verb, RunOptions& options) {
+  add_options(verb, options.common);
+  add_campaign_folder(verb, options.out);
+  add_ranks(verb, options.ranks);
+  verb.add_flag("--dry-run", options.dry_run, "Say which stages would run, and run none");
+  verb.add_flag("--explain", options.explain, "Say why each stage runs");
+}
+
+void run_verb(const RunOptions& options) {
+  const Case mill = read_case(options.common.case_file);
+  const RunFolder folder = run_folder_of(mill, options.out);
+  check_campaign_folder("--out", folder.root);
+  const auto open = [&] {
+    return campaign_to_run(
+        mill, folder, {program_version(), options.ranks.value_or(ranks_for(mill)), host_name()},
+        options.ranks);
+  };
+  const auto how = options.explain ? Explanation::every_stage : Explanation::next_stage;
+  if (options.dry_run) return explain_campaign(open(), how);
+  check_liggghts_is_installed(mill.dem.contact_path);
+
+  make_folder(folder.root);
+  const RunLock lock(folder.lock());
+  const OpenCampaign opened = open();
+  keep_start(opened);
+  if (options.explain) explain_campaign(opened, how);
+
+  Progress progress(options.common.verbosity);
+  for (const auto& warning : warnings(mill)) progress.say("warning: " + warning);
+  const Campaign& campaign = opened.campaign;
+  const CampaignEffects effects{
+      [&](const StageId& stage) { return run_and_tell(campaign, stage, progress); },
+      [&](const LedgerEntry& entry) { append_entry(folder.ledger(), entry); },
+      [&](const Ledger& so_far) {
+        const CampaignResults data = publish_campaign({campaign, so_far}, {});
+        progress.say(
+            fmt::format("cycle {}: {}", so_far.entries.back().stage.cycle, spoken_outcome(data)));
+      }};
+  const Ledger finished = run_campaign(opened.ledger, plan_of(mill), effects);
+  // Once more at the end: an earlier process may have died between its last stage and its results.
+  const CampaignResults data = publish_campaign({campaign, finished}, {});
+  publish_pictures_if_possible(folder, data, progress);
+  progress.detail(fmt::format("{:.1f} s of processor time went elsewhere than into LIGGGHTS",
+                              static_cast<double>(std::clock()) / CLOCKS_PER_SEC));
+  print_outcome(options.common.form, folder, data);
+}
+
+}  // namespace millwear::orchestrator

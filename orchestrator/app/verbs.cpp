@@ -1,0 +1,83 @@
+#include "orchestrator/app/verbs.h"
+
+#include <array>
+#include <memory>
+
+#include "orchestrator/app/calibrate_verb.h"
+#include "orchestrator/app/check_verb.h"
+#include "orchestrator/app/compare_verb.h"
+#include "orchestrator/app/deck_verb.h"
+#include "orchestrator/app/import_verb.h"
+#include "orchestrator/app/mesh_verb.h"
+#include "orchestrator/app/report_verb.h"
+#include "orchestrator/app/run_verb.h"
+#include "orchestrator/app/status_verb.h"
+#include "orchestrator/app/tune_verb.h"
+#include "orchestrator/app/wear_verb.h"
+
+namespace millwear::orchestrator {
+namespace {
+
+/// Options and action of a verb as the table wants them.
+template <class Options, void (*action)(const Options&)>
+std::function<void()> prepare(CLI::App& command_line) {
+  const auto options = std::make_shared<Options>();
+  add_options(command_line, *options);
+  return [options] { action(*options); };
+}
+
+constexpr std::array table{
+    Verb{"check", "Check a case and print what would be simulated: counts, time step, cost",
+         "  millwear check cases/pilot_mill/case.toml\n"
+         "  millwear check cases/seed_mill_8m/case.toml --json",
+         prepare<CheckOptions, check_verb>},
+    Verb{"mesh", "Write the liner's mesh (STL) and its section for CAD (STEP, DXF)",
+         "  millwear mesh cases/pilot_mill/case.toml --out mesh\n"
+         "  millwear mesh cases/pilot_mill/case.toml --profile worn.csv --out mesh",
+         prepare<MeshOptions, mesh_verb>},
+    Verb{"deck", "Write the mesh and the LIGGGHTS decks, to read or to run by hand",
+         "  millwear deck cases/pilot_mill/case.toml --out deck\n"
+         "  cd deck/cycle_000/mix && mpirun -np 2 liggghts -in deck.in",
+         prepare<DeckOptions, deck_verb>},
+    Verb{"run", "Simulate the liner from new to worn out; the same command resumes",
+         "  millwear run cases/pilot_mill/case.toml\n"
+         "  millwear run cases/pilot_mill/case.toml --out runs/try --ranks 2 --explain",
+         prepare<RunOptions, run_verb>},
+    Verb{"status", "Say how far a campaign is", "  millwear status cases/pilot_mill/case.toml",
+         prepare<StatusOptions, status_verb>},
+    Verb{"report", "Write the result files and report.html of a campaign so far",
+         "  millwear report cases/pilot_mill/case.toml --out runs/try",
+         prepare<ReportOptions, report_verb>},
+    Verb{"wear", "Apply another wear law to the loads of a campaign, without new DEM",
+         "  cp cases/pilot_mill/case.toml other_law.toml   # and change the laws in its [wear]\n"
+         "  millwear wear other_law.toml --out runs/pilot_mill\n"
+         "  millwear wear other_law.toml --out runs/pilot_mill --csv rates.csv --json",
+         prepare<WearOptions, wear_verb>},
+    Verb{"import", "Import a gauge reading, a scan or a drawing of the worn liner",
+         "  millwear import my_mill.toml scan.csv --hours 5112 --unit mm\n"
+         "  millwear import my_mill.toml drawing.dxf --hours 5448 --layer LINER --error-mm 0.5\n"
+         "  millwear import my_mill.toml --hours 6312 --height-mm 56",
+         prepare<ImportOptions, import_verb>},
+    Verb{"compare", "Compare a campaign with the gauge readings, or two profiles with each other",
+         "  millwear compare my_mill.toml\n"
+         "  millwear compare my_mill.toml --out runs/try --csv comparison.csv\n"
+         "  millwear compare my_mill.toml --calibrate-until 5112 --plot calibrated.png\n"
+         "  millwear compare my_mill.toml --profiles scanned.csv predicted.csv",
+         prepare<CompareOptions, compare_verb>},
+    Verb{
+        "calibrate", "Fit the coefficients of the wear laws to measured wear, without new DEM",
+        "  millwear calibrate cases/pilot_mill/case.toml   # reads cases/pilot_mill/gauge\n"
+        "  millwear calibrate two_laws.toml --out runs/pilot_mill --readings measured --until 4000",
+        prepare<CalibrateOptions, calibrate_verb>},
+    Verb{"tune", "Find the fastest neighbour skin and split among ranks, by a short trial",
+         "  millwear tune my_mill.toml                  # takes the mixed charge in runs/NAME, if "
+         "any\n"
+         "  millwear tune my_mill.toml --out runs/try --ranks 2 --json",
+         prepare<TuneOptions, tune_verb>},
+};
+
+}  // namespace
+
+std::span<const Verb> verbs() { return table; }
+
+}  // namespace millwear::orchestrator

@@ -31,8 +31,7 @@ constexpr double mill_speed = 3.3;
 const std::vector<ParticleClass> charge = {{.material = 0, .diameter = 0.03, .count = 1200}};
 
 // Archard's law with k = 1e-12 1/Pa, on 60 bins along the profile.
-const WearSettings wear_settings{
-    .mechanisms = {{WearLaw::archard, 1e-12}}, .bins = 60, .time_blocks = 8, .excess_speed = 0.0};
+const WearSettings wear_settings{.mechanisms = {{WearLaw::archard, 1e-12}}, .bins = 60};
 
 // What was recorded: 4 s, a sample of all wall contacts every 10 ms.
 const LoadMeasurement measurement{.bins = wear_settings.bins,
@@ -45,11 +44,8 @@ const LoadMeasurement measurement{.bins = wear_settings.bins,
                                   .contact_limit = 0.002};
 
 // The load wears the liner in 5 steps, until a fifth of the lifter is gone or a limit is met.
-const CampaignSettings until{.threshold = 0.2,
-                             .steps_per_cycle = 5,
-                             .height_limit = 0.01,
-                             .plate_limit = 0.005,
-                             .cycle_limit = 1};
+const CampaignSettings until{
+    .threshold = 0.2, .steps_per_cycle = 5, .height_limit = 0.01, .plate_limit = 0.005};
 
 std::vector<WallContacts> read_contacts(const std::filesystem::path& file) {
   const UserTable table = user_table(read_file(file), file);

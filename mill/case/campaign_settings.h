@@ -13,7 +13,7 @@ enum class Scheme {
 /// As the case file writes it.
 [[nodiscard]] std::string_view name_of(Scheme scheme);
 
-/// When to run the DEM anew, and when to stop.
+/// When to run the DEM anew, and when to stop. The defaults are those of the case file.
 struct CampaignSettings {
   double threshold = 0.15;  ///< worn share of the new lifter's volume per DEM load
   int steps_per_cycle = 5;  ///< geometry steps on one DEM load

@@ -72,7 +72,7 @@ struct ErrorTarget {
   double most_revolutions;  ///< it ends then, however well it is known
 };
 
-/// The defaults are those of the case file, here and in the settings below.
+/// The defaults are those of the case file, here and in the settings of wear and campaign.
 struct DemSettings {
   double modulus_reduction = 100.0;           ///< the moduli are divided by this
   double rayleigh_fraction = 0.3;             ///< time step as a share of the least Rayleigh time

@@ -15,6 +15,7 @@ enum class SmoothingMethod {
 /// As the case file writes it.
 [[nodiscard]] std::string_view name_of(SmoothingMethod method);
 
+/// The defaults are those of the case file.
 struct WearSettings {
   std::vector<WearMechanism> mechanisms;  ///< the law is their sum
   int bins = 120;                         ///< along one pitch

@@ -1,7 +1,10 @@
 #pragma once
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
+
+#include "mill/base/csv_columns.h"
 
 namespace millwear::orchestrator {
 
@@ -35,6 +38,9 @@ struct HistoryRow {
   double between_locked_share;  ///< the same of what is between the lifters [-]
   double between_locked_share_error;
 };
+
+/// The columns of `history.csv`, which its header, writer and reader come from.
+[[nodiscard]] std::span<const CsvColumn<HistoryRow>> history_columns();
 
 /// The bytes of `history.csv`; the same rows always give the same bytes.
 [[nodiscard]] std::string history_csv(const std::vector<HistoryRow>& rows);

@@ -184,6 +184,18 @@ TEST_F(ResultsCsv, ALostNodeIsRefused) {
               AllOf(StartsWith(file.string() + ":4: "), HasSubstr("out of order")));
 }
 
+// A row of the page may hold a value and its standard error.
+TEST_F(ResultsCsv, EveryColumnOfTheHistoryIsDocumentedWithItsUnit) {
+  std::ifstream page(std::filesystem::path(MILLWEAR_CASES).parent_path() / "docs/file_formats.md");
+  const std::string text(std::istreambuf_iterator<char>(page), {});
+  for (const auto& column : history_columns()) {
+    const auto name = text.find("`" + std::string(column.name) + "`");
+    ASSERT_NE(name, std::string::npos) << column.name;
+    const auto unit = text.find(" | ", name) + 3;
+    EXPECT_EQ(text.substr(unit, text.find(" | ", unit) - unit), column.unit) << column.name;
+  }
+}
+
 TEST_F(ResultsCsv, AMissingFileIsADiskError) {
   EXPECT_THROW((void)read_history_csv(file), DiskError);
 }

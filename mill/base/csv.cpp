@@ -6,7 +6,9 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <limits>
+#include <vector>
 
 #include "mill/base/constants.h"
 #include "mill/base/failure.h"
@@ -103,6 +105,27 @@ std::size_t CsvFields::one_of(std::span<const std::string_view> words) {
     reject(path_, line_.number,
            fmt::format("`{}` in column {} is none of: {}", word, next_, fmt::join(words, ", ")));
   return static_cast<std::size_t>(found - words.begin());
+}
+
+std::string csv_lengths(const Eigen::VectorXd& lengths) {
+  std::string text;
+  for (const double length : lengths)
+    fmt::format_to(std::back_inserter(text), "{}{:.6f}", text.empty() ? "" : " ", length);
+  return text;
+}
+
+Eigen::VectorXd CsvFields::lengths() {
+  const std::string& text = this->text();
+  std::vector<double> numbers;
+  const char* at = text.data();
+  const char* const end = text.data() + text.size();
+  while (at < end) {
+    const auto [after, error] = std::from_chars(at, end, numbers.emplace_back());
+    if (error != std::errc() || (after < end && *after != ' ')) return {};
+    at = after < end ? after + 1 : end;
+  }
+  return Eigen::Map<const Eigen::VectorXd>(numbers.data(),
+                                           static_cast<Eigen::Index>(numbers.size()));
 }
 
 }  // namespace millwear

@@ -1,4 +1,5 @@
 #pragma once
+#include <Eigen/Core>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -33,6 +34,9 @@ struct CsvLine {
 /// An angle [rad] in degrees with 14 digits, so that reading and writing again changes no byte.
 [[nodiscard]] std::string csv_degrees(double angle);
 
+/// Lengths [m] separated by blanks, to a thousandth of a millimetre.
+[[nodiscard]] std::string csv_lengths(const Eigen::VectorXd& lengths);
+
 /// The fields of a row one after the other. Each call throws ResultRejected (file:line, column)
 /// where the text is no such number.
 class CsvFields {
@@ -42,6 +46,7 @@ class CsvFields {
   [[nodiscard]] double number();   ///< NaN where the field is empty
   [[nodiscard]] double degrees();  ///< an angle written in degrees [rad]
   [[nodiscard]] const std::string& text();
+  [[nodiscard]] Eigen::VectorXd lengths();  ///< of `csv_lengths`; none where one is no number
   /// Which of the words it is; throws for any other.
   [[nodiscard]] std::size_t one_of(std::span<const std::string_view> words);
 

@@ -1,7 +1,10 @@
 #pragma once
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
+
+#include "mill/base/csv_columns.h"
 
 namespace millwear::orchestrator {
 
@@ -20,6 +23,9 @@ struct SpectrumRow {
   double events_per_second;  ///< collisions in the simulated slice [1/s]
   double power;              ///< that they dissipate in this direction [W]
 };
+
+/// The columns of `spectra.csv`.
+[[nodiscard]] std::span<const CsvColumn<SpectrumRow>> spectrum_columns();
 
 /// Lines of `spectra.csv`, and its first two.
 [[nodiscard]] std::string spectrum_lines(const std::vector<SpectrumRow>& rows);

@@ -37,33 +37,20 @@ Json json_of(const Life& life) {
           {"hours_high", life.hours_high}, {"tonnes", life.tonnes}, {"limit", life.limit}};
 }
 
+/// What of a row stands in a column.
+struct ColumnValue {
+  const HistoryRow& row;
+  Json operator()(int HistoryRow::*member) const { return row.*member; }
+  Json operator()(double HistoryRow::*member) const { return row.*member; }
+  Json operator()(InDegrees<HistoryRow> angle) const { return row.*angle.member; }
+  Json operator()(const auto&) const { return nullptr; }
+};
+
 Json json_of(const HistoryRow& row) {
-  return {{"cycle", row.cycle},
-          {"step", row.step},
-          {"operating_hours", row.operating_hours},
-          {"tonnes", row.tonnes},
-          {"lifter_height", row.lifter_height},
-          {"face_angle", row.face_angle},
-          {"plate_thickness", row.plate_thickness},
-          {"worn_volume", row.worn_volume},
-          {"worn_fraction", row.worn_fraction},
-          {"power", row.power},
-          {"power_error", row.power_error},
-          {"shoulder", row.shoulder},
-          {"shoulder_error", row.shoulder_error},
-          {"toe", row.toe},
-          {"toe_error", row.toe_error},
-          {"lifter_height_error", row.lifter_height_error},
-          {"plate_thickness_error", row.plate_thickness_error},
-          {"worn_volume_error", row.worn_volume_error},
-          {"airborne_share", row.airborne_share},
-          {"airborne_share_error", row.airborne_share_error},
-          {"bare_hit_power", row.bare_hit_power},
-          {"bare_hit_power_error", row.bare_hit_power_error},
-          {"dead_zone_share", row.dead_zone_share},
-          {"dead_zone_share_error", row.dead_zone_share_error},
-          {"between_locked_share", row.between_locked_share},
-          {"between_locked_share_error", row.between_locked_share_error}};
+  Json json = Json::object();
+  for (const auto& column : history_columns())
+    json[std::string(column.field)] = std::visit(ColumnValue{row}, column.member);
+  return json;
 }
 
 Json json_of(const MeasuredCharge& charge) {

@@ -2,44 +2,53 @@
 
 #include <fmt/format.h>
 
-#include "mill/base/csv.h"
+#include <array>
+
 #include "mill/base/failure.h"
 
 namespace millwear::orchestrator {
 namespace {
 
-constexpr CsvFormat format{"millwear profiles 2",
-                           "cycle,step,operating_hours,node,xi_m,eta_m,depth_m_se"};
+using Row = ProfileNodeRow;
+
+constexpr std::string_view profiles_format = "millwear profiles 2";
+constexpr std::array<CsvColumn<Row>, 7> columns{{
+    {"cycle", "1", "as in `history.csv`", "", &Row::cycle},
+    {"step", "1", "as in `history.csv`", "", &Row::step},
+    {"operating_hours", "h", "since the liner was new", "", &Row::operating_hours},
+    {"node", "1", "0, 1, 2, … from the trailing sector edge to the leading one", "", &Row::node},
+    {"xi_m", "m", "along the direction of rotation when the liner was new", "", &Row::xi},
+    {"eta_m", "m", "towards the mill's axis", "", &Row::eta},
+    {"depth_m_se", "m", "standard error of the surface there, along its normal", "",
+     &Row::depth_error},
+}};
 
 }  // namespace
 
+std::span<const CsvColumn<ProfileNodeRow>> profile_columns() { return columns; }
+
 std::string profiles_csv(const std::vector<ProfileRow>& rows) {
-  std::string text = csv_head(format);
+  std::vector<Row> nodes;
   for (const auto& row : rows)
-    for (std::size_t node = 0; node < row.nodes.size(); ++node)
-      text += fmt::format("{},{},{},{},{},{},{}\n", row.cycle, row.step,
-                          csv_number(row.operating_hours), node, csv_number(row.nodes[node].x()),
-                          csv_number(row.nodes[node].y()), csv_number(row.depth_error[node]));
-  return text;
+    for (std::size_t i = 0; i < row.nodes.size(); ++i)
+      nodes.push_back({row.cycle, row.step, row.operating_hours, static_cast<int>(i),
+                       row.nodes[i].x(), row.nodes[i].y(), row.depth_error[i]});
+  return csv_table(profiles_format, profile_columns(), nodes);
 }
 
 std::vector<ProfileRow> read_profiles_csv(const std::filesystem::path& path) {
   std::vector<ProfileRow> rows;
-  for (const auto& line : read_csv(path, format)) {
-    CsvFields fields(path, line);
-    const int cycle = fields.integer();
-    const int step = fields.integer();
-    const double hours = fields.number();
-    const int node = fields.integer();
-    if (node == 0) rows.push_back({cycle, step, hours, {}, {}});
-    if (rows.empty() || rows.back().cycle != cycle || rows.back().step != step ||
-        node != static_cast<int>(rows.back().nodes.size()))
+  const auto nodes = read_csv_table(path, profiles_format, profile_columns());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const Row& node = nodes[i];
+    if (node.node == 0) rows.push_back({node.cycle, node.step, node.operating_hours, {}, {}});
+    if (rows.empty() || rows.back().cycle != node.cycle || rows.back().step != node.step ||
+        node.node != static_cast<int>(rows.back().nodes.size()))
       throw ResultRejected(fmt::format("{}:{}: node {} of cycle {}, step {} is out of order",
-                                       path.string(), line.number, node, cycle, step));
-    const double xi = fields.number();
-    const double eta = fields.number();
-    rows.back().nodes.emplace_back(xi, eta);
-    rows.back().depth_error.push_back(fields.number());
+                                       path.string(), line_of_row(i), node.node, node.cycle,
+                                       node.step));
+    rows.back().nodes.emplace_back(node.xi, node.eta);
+    rows.back().depth_error.push_back(node.depth_error);
   }
   return rows;
 }

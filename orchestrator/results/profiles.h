@@ -1,8 +1,11 @@
 #pragma once
 #include <Eigen/Core>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
+
+#include "mill/base/csv_columns.h"
 
 namespace millwear::orchestrator {
 
@@ -16,6 +19,20 @@ struct ProfileRow {
   /// Standard error of the surface at every node, along its normal [m]; NaN where unknown.
   std::vector<double> depth_error;
 };
+
+/// A line of `profiles.csv`: one node of a profile.
+struct ProfileNodeRow {
+  int cycle;
+  int step;
+  double operating_hours;
+  int node;
+  double xi;           ///< [m]
+  double eta;          ///< [m]
+  double depth_error;  ///< [m]
+};
+
+/// The columns of `profiles.csv`.
+[[nodiscard]] std::span<const CsvColumn<ProfileNodeRow>> profile_columns();
 
 /// The bytes of `profiles.csv`, a line a node; the same rows always give the same bytes.
 [[nodiscard]] std::string profiles_csv(const std::vector<ProfileRow>& rows);

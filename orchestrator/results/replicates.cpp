@@ -2,65 +2,46 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-#include <iterator>
+#include <array>
 
-#include "mill/base/csv.h"
 #include "mill/base/failure.h"
 
 namespace millwear::orchestrator {
 namespace {
 
-constexpr CsvFormat format{"millwear replicates 1",
-                           "cycle,step,operating_hours,lifter_height_m,plate_thickness_m"};
+using Row = ReplicateRow;
 
-std::string list_of(const Eigen::VectorXd& lengths) {
-  std::string text;
-  for (const double length : lengths)
-    fmt::format_to(std::back_inserter(text), "{}{:.6f}", text.empty() ? "" : " ", length);
-  return text;
-}
-
-/// The numbers of a list; empty where one of them is none.
-Eigen::VectorXd numbers_in(const std::string& text) {
-  std::vector<double> numbers;
-  const char* at = text.data();
-  const char* const end = text.data() + text.size();
-  while (at < end) {
-    const auto [after, error] = std::from_chars(at, end, numbers.emplace_back());
-    if (error != std::errc() || (after < end && *after != ' ')) return {};
-    at = after < end ? after + 1 : end;
-  }
-  return Eigen::Map<const Eigen::VectorXd>(numbers.data(),
-                                           static_cast<Eigen::Index>(numbers.size()));
-}
+constexpr std::string_view replicates_format = "millwear replicates 1";
+constexpr std::array<CsvColumn<Row>, 5> columns{{
+    {"cycle", "1", "as in `history.csv`", "", &Row::cycle},
+    {"step", "1", "as in `history.csv`", "", &Row::step},
+    {"operating_hours", "h", "since the liner was new", "", &Row::operating_hours},
+    {"lifter_height_m", "m",
+     "of every replicate, separated by spaces, to 0.001 mm; a replicate has the same place in "
+     "every row",
+     "", &Row::heights},
+    {"plate_thickness_m", "m", "likewise, least steel over the shell", "", &Row::plates},
+}};
 
 }  // namespace
 
+std::span<const CsvColumn<ReplicateRow>> replicate_columns() { return columns; }
+
 std::string replicates_csv(const std::vector<ReplicateRow>& rows) {
-  std::string text = csv_head(format);
-  for (const auto& row : rows)
-    text += fmt::format("{},{},{},{},{}\n", row.cycle, row.step, csv_number(row.operating_hours),
-                        list_of(row.heights), list_of(row.plates));
-  return text;
+  return csv_table(replicates_format, replicate_columns(), rows);
 }
 
 std::vector<ReplicateRow> read_replicates_csv(const std::filesystem::path& path) {
-  std::vector<ReplicateRow> rows;
-  for (const auto& line : read_csv(path, format)) {
-    CsvFields fields(path, line);
-    const int cycle = fields.integer();
-    const int step = fields.integer();
-    const double hours = fields.number();
-    const Eigen::VectorXd heights = numbers_in(fields.text());
-    const Eigen::VectorXd plates = numbers_in(fields.text());
-    const Eigen::Index count = rows.empty() ? heights.size() : rows.front().heights.size();
+  const auto rows = read_csv_table(path, replicates_format, replicate_columns());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto& heights = rows[i].heights;
+    const auto& plates = rows[i].plates;
+    const Eigen::Index count = rows.front().heights.size();
     if (heights.size() == 0 || heights.size() != count || plates.size() != count)
       throw ResultRejected(fmt::format(
           "{}:{}: {} lifter heights and {} plate thicknesses that are numbers, where {} of each "
           "should be; write it anew with `millwear report`",
-          path.string(), line.number, heights.size(), plates.size(), count));
-    rows.push_back({cycle, step, hours, heights, plates});
+          path.string(), line_of_row(i), heights.size(), plates.size(), count));
   }
   return rows;
 }

@@ -1,8 +1,11 @@
 #pragma once
 #include <Eigen/Core>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
+
+#include "mill/base/csv_columns.h"
 
 namespace millwear::orchestrator {
 
@@ -15,6 +18,9 @@ struct ReplicateRow {
   Eigen::VectorXd heights;  ///< lifter height of each replicate [m]
   Eigen::VectorXd plates;   ///< its least steel over the shell [m]
 };
+
+/// The columns of `replicates.csv`.
+[[nodiscard]] std::span<const CsvColumn<ReplicateRow>> replicate_columns();
 
 /// The bytes of `replicates.csv`, lengths to a thousandth of a millimetre; the same rows always
 /// give the same bytes.

@@ -1,40 +1,38 @@
 #include "orchestrator/results/wear_rates.h"
 
-#include <fmt/format.h>
-
-#include "mill/base/csv.h"
+#include <array>
 
 namespace millwear::orchestrator {
 namespace {
 
-constexpr CsvFormat format{
-    "millwear wear rates 1",
-    "cycle,mechanism,bin,arc_length_m,depth_rate_m_per_s,depth_rate_m_per_s_se,law"};
+using Row = WearRateRow;
+
+constexpr std::string_view wear_rates_format = "millwear wear rates 1";
+constexpr std::array<CsvColumn<Row>, 7> columns{{
+    {"cycle", "1", "DEM load, from 0", "", &Row::cycle},
+    {"mechanism", "1", "from 0, in the order of the case's `[[wear.mechanisms]]`", "",
+     &Row::mechanism},
+    {"bin", "1", "from 0 at the trailing sector edge", "", &Row::bin},
+    {"arc_length_m", "m", "of the bin's centre, along the liner that the load was measured on", "",
+     &Row::arc_length},
+    {"depth_rate_m_per_s", "m/s",
+     "steel lost by this mechanism, per second of milling; as sampled, not smoothed, never below 0",
+     "", &Row::depth_rate},
+    {"depth_rate_m_per_s_se", "m/s", "its standard error; 0 for corrosion", "",
+     &Row::depth_rate_error},
+    {"law", "", "name of the mechanism's law in the case file", "", &Row::law},
+}};
 
 }  // namespace
 
+std::span<const CsvColumn<WearRateRow>> wear_rate_columns() { return columns; }
+
 std::string wear_rates_csv(const std::vector<WearRateRow>& rows) {
-  std::string text = csv_head(format);
-  for (const auto& row : rows)
-    text += fmt::format("{},{},{},{},{},{},{}\n", row.cycle, row.mechanism, row.bin,
-                        csv_number(row.arc_length), csv_number(row.depth_rate),
-                        csv_number(row.depth_rate_error), row.law);
-  return text;
+  return csv_table(wear_rates_format, wear_rate_columns(), rows);
 }
 
 std::vector<WearRateRow> read_wear_rates_csv(const std::filesystem::path& path) {
-  std::vector<WearRateRow> rows;
-  for (const auto& line : read_csv(path, format)) {
-    CsvFields fields(path, line);
-    const int cycle = fields.integer();
-    const int mechanism = fields.integer();
-    const int bin = fields.integer();
-    const double arc_length = fields.number();
-    const double rate = fields.number();
-    const double error = fields.number();
-    rows.push_back({cycle, mechanism, line.fields.back(), bin, arc_length, rate, error});
-  }
-  return rows;
+  return read_csv_table(path, wear_rates_format, wear_rate_columns());
 }
 
 }  // namespace millwear::orchestrator

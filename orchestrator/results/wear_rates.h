@@ -1,7 +1,10 @@
 #pragma once
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
+
+#include "mill/base/csv_columns.h"
 
 namespace millwear::orchestrator {
 
@@ -15,6 +18,9 @@ struct WearRateRow {
   double depth_rate;        ///< as sampled, not smoothed [m/s of milling]
   double depth_rate_error;  ///< its standard error from the time blocks [m/s]
 };
+
+/// The columns of the file.
+[[nodiscard]] std::span<const CsvColumn<WearRateRow>> wear_rate_columns();
 
 /// The bytes of the file; the same rows always give the same bytes.
 [[nodiscard]] std::string wear_rates_csv(const std::vector<WearRateRow>& rows);

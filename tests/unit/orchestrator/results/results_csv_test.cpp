@@ -187,8 +187,9 @@ TEST_F(ResultsCsv, ALostNodeIsRefused) {
 
 // A row of the page may hold a value and its standard error.
 TEST_F(ResultsCsv, ThePageOfFileFormatsHasTheColumnsOfEveryTable) {
-  std::ifstream file(std::filesystem::path(MILLWEAR_CASES).parent_path() / "docs/file_formats.md");
-  const std::string page(std::istreambuf_iterator<char>(file), {});
+  std::ifstream stream(std::filesystem::path(MILLWEAR_CASES).parent_path() /
+                       "docs/file_formats.md");
+  const std::string page(std::istreambuf_iterator<char>(stream), {});
   EXPECT_EQ(with_column_pages(page), page)
       << "print_result_columns docs/file_formats.md prints the page as it should be";
   EXPECT_THAT(page, HasSubstr("<!-- columns of history -->"));

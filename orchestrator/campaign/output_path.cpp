@@ -37,11 +37,6 @@ void refuse_in_campaign(std::string_view option, const fs::path& path, const fs:
                        campaign.string()));
 }
 
-void refuse_a_file(std::string_view option, const fs::path& folder) {
-  if (fs::exists(folder) && !fs::is_directory(folder))
-    refuse(option, folder, "this is a file; name a folder");
-}
-
 }  // namespace
 
 void check_output_file(std::string_view option, const fs::path& file,
@@ -58,12 +53,10 @@ void check_output_file(std::string_view option, const fs::path& file,
 }
 
 void check_output_folder(std::string_view option, const fs::path& folder) {
-  refuse_a_file(option, folder);
   refuse_in_campaign(option, folder, fs::weakly_canonical(fs::absolute(folder)));
 }
 
 void check_campaign_folder(std::string_view option, const fs::path& folder) {
-  refuse_a_file(option, folder);
   refuse_in_campaign(option, folder, fs::weakly_canonical(fs::absolute(folder)).parent_path());
 }
 

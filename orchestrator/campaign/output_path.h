@@ -14,11 +14,10 @@ namespace millwear::orchestrator {
 void check_output_file(std::string_view option, const std::filesystem::path& file,
                        std::initializer_list<std::filesystem::path> inputs);
 
-/// Refuses a folder for other files than a campaign's that lies in a campaign's folder or is one,
-/// and one that is a file.
+/// Refuses a folder for other files than a campaign's that lies in a campaign's folder or is one.
 void check_output_folder(std::string_view option, const std::filesystem::path& folder);
 
-/// Refuses a folder for a campaign that lies inside another campaign's, and one that is a file.
+/// Refuses a folder for a campaign that lies inside another campaign's.
 void check_campaign_folder(std::string_view option, const std::filesystem::path& folder);
 
 }  // namespace millwear::orchestrator

@@ -47,11 +47,11 @@ const StandIn stand_ins[] = {
      "too short for 32 particles"},
     {"cuts_a_row", "cycle_000/dem",
      "sed -i 's/contacts.dump/whole/' deck.in; run; head -c -9 whole > contacts.dump",
-     "contacts.dump", "ends inside the snapshot of step 3300", ContactsBy::dumps},
+     "contacts.dump", "ends inside the snapshot of step 3315", ContactsBy::dumps},
     {"drops_the_last_snapshot", "cycle_000/dem",
      "sed -i 's/contacts.dump/whole/' deck.in; run;"
      "head -n $(($(grep -n TIMESTEP whole | tail -1 | cut -d: -f1) - 1)) whole > contacts.dump",
-     "cycle 0 dem: ", "do not hold the same steps (step 3300)", ContactsBy::dumps},
+     "cycle 0 dem: ", "do not hold the same steps (step 3315)", ContactsBy::dumps},
     {"writes_no_dump", "cycle_000/dem", "sed -i 's/spins.dump/whole/' deck.in; run",
      "cycle 0 dem: ", "do not hold the same steps", ContactsBy::dumps},
     {"writes_letters_for_numbers", "cycle_000/dem",

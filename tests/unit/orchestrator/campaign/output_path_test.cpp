@@ -48,13 +48,12 @@ TEST_F(OutputPath, IsNoFolderAndLiesInOneThatIsThere) {
   EXPECT_THAT(refusal_of(folder.path() / "none" / "x.csv"), HasSubstr("there is no folder"));
 }
 
-TEST_F(OutputPath, OfAFolderIsNoCampaignsAndNoFile) {
+TEST_F(OutputPath, OfAFolderIsNoCampaigns) {
   const auto refusal = [&](const char* name) {
     return failure_of<Failure>([&] { check_output_folder("--out", folder.path() / name); });
   };
   EXPECT_THAT(refusal("run"), HasSubstr("own files"));
   EXPECT_THAT(refusal("run/cycle_000"), HasSubstr("own files"));
-  EXPECT_THAT(refusal("case.toml"), HasSubstr("this is a file"));
 }
 
 TEST_F(OutputPath, OfACampaignDoesNotLieInAnother) {

@@ -95,6 +95,7 @@ library HDF5 "hdf5|H5" wear/record/hdf5_file.cpp wear/record/load_read.cpp wear/
   wear/record/collision_store.cpp
 library Clipper "polyclipping/|clipper" wear/evolve/steel_cut.cpp wear/gauge/area_between.cpp
 library toml++ "toml" mill/case_keys/case_document.cpp
+library cereal "cereal/" orchestrator/loads/kept_value.h
 library CLI11 "CLI/" orchestrator/app/command_line.cpp orchestrator/app/common_options.cpp \
   orchestrator/app/liner_choice.cpp $(echo orchestrator/app/*_verb.cpp) recorder/options/mixing_options.cpp \
   recorder/options/option_parsing.cpp recorder/options/recording_plan.cpp \

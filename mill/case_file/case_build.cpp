@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <functional>
 
+#include "mill/base/nearest_word.h"
 #include "mill/case/case_units.h"
-#include "mill/case_file/case_schema_check.h"
 #include "mill/case_file/case_values.h"
 #include "mill/case_keys/campaign_keys.h"
 #include "mill/case_keys/charge_keys.h"

@@ -40,7 +40,7 @@ std::vector<std::string> to_arguments(MixingOptions options) {
   return words;
 }
 
-std::vector<std::string> to_arguments(RunOptions options) {
+std::vector<std::string> to_arguments(DeckRunOptions options) {
   std::vector<std::string> words = {running_verb};
   for_each_option(options, into(words));
   return words;

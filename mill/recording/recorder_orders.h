@@ -116,19 +116,19 @@ void for_each_option(MixingOptions& options, const Take& take) {
 }
 
 /// Run a deck and record nothing: the words behind `run`.
-struct RunOptions {
+struct DeckRunOptions {
   std::filesystem::path deck;
-  bool operator==(const RunOptions&) const = default;
+  bool operator==(const DeckRunOptions&) const = default;
 };
 
 template <class Take>
-void for_each_option(RunOptions& options, const Take& take) {
+void for_each_option(DeckRunOptions& options, const Take& take) {
   take(deck_option, options.deck);
 }
 
 /// The words of the recorder's command line, without the program. Parsed, they give the same order.
 [[nodiscard]] std::vector<std::string> to_arguments(RecordingPlan plan);
 [[nodiscard]] std::vector<std::string> to_arguments(MixingOptions options);
-[[nodiscard]] std::vector<std::string> to_arguments(RunOptions options);
+[[nodiscard]] std::vector<std::string> to_arguments(DeckRunOptions options);
 
 }  // namespace millwear

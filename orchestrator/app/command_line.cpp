@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "mill/base/failure.h"
+#include "mill/base/nearest_word.h"
 #include "mill/base/version.h"
-#include "mill/case_file/case_schema_check.h"
 #include "orchestrator/app/verbs.h"
 
 namespace millwear::orchestrator {

@@ -13,6 +13,9 @@ namespace millwear::orchestrator {
 
 enum class OutputForm { text, json };
 
+/// The longest time of milling that a verb takes [h].
+inline constexpr double most_hours = 1e6;
+
 /// What every verb is told.
 struct CommonOptions {
   std::filesystem::path case_file;

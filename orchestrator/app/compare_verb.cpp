@@ -32,7 +32,6 @@ using Json = nlohmann::ordered_json;
 using wear::ProfileDifference;
 
 constexpr double square_centimetres = 1e4;
-constexpr double most_hours = 1e6;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 Json json_of(const ProfileDifference& difference) {

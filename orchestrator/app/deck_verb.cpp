@@ -48,7 +48,7 @@ void deck_verb(const DeckOptions& options) {
     return;
   const auto mixing = mill.dem.mix_until_steady
                           ? mixing_arguments(mill)
-                          : to_arguments(RunOptions{liggghts::file_names::deck});
+                          : to_arguments(DeckRunOptions{liggghts::file_names::deck});
   fmt::print(
       "cycle_000/mix is run by: mpirun -np {0} millwear-recorder {1}\n"
       "cycle_000/dem is measured by: mpirun -np {0} millwear-recorder {2}\n",

@@ -21,7 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr double most_hours = 1e6;
 constexpr double least_error_mm = 0.01;
 constexpr double most_error_mm = 100.0;
 constexpr double metres_per_millimetre = 1e-3;

@@ -20,8 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double most_hours = 1e6;
-
 std::string spoken(wear::EvolutionEnd end) {
   switch (end) {
     case wear::EvolutionEnd::load_spent:
@@ -32,20 +30,6 @@ std::string spoken(wear::EvolutionEnd end) {
       return "the lifter is worn out";
     case wear::EvolutionEnd::plate_limit:
       return "the plate is worn out";
-  }
-  throw std::logic_error("an end of no kind");
-}
-
-std::string_view name_of(wear::EvolutionEnd end) {
-  switch (end) {
-    case wear::EvolutionEnd::load_spent:
-      return "load_spent";
-    case wear::EvolutionEnd::time_reached:
-      return "time_reached";
-    case wear::EvolutionEnd::height_limit:
-      return "height_limit";
-    case wear::EvolutionEnd::plate_limit:
-      return "plate_limit";
   }
   throw std::logic_error("an end of no kind");
 }
@@ -61,7 +45,7 @@ nlohmann::json json_of(const PostprocessedDumps& result, const fs::path& out) {
           {"volume_rate_m3_per_m_h", result.section_rate * seconds_per_hour},
           {"peak_relative_error", number_or_null(result.peak_error)},
           {"hours", result.milled / seconds_per_hour},
-          {"end", name_of(result.end)},
+          {"end", wear::name_of(result.end)},
           {"lifter_height_m", lifter_height(result.worn)},
           {"plate_thickness_m", plate_thickness(result.worn)}};
 }

@@ -2,75 +2,66 @@
 
 #include "orchestrator/campaign/ledger.h"
 #include "orchestrator/loads/hit_power.h"
-#include "orchestrator/loads/kept_file.h"
+#include "orchestrator/loads/kept_value.h"
 #include "orchestrator/loads/spectra.h"
 #include "wear/record/load_accumulator.h"
 #include "wear/record/load_read.h"
 #include "wear/record/load_write.h"
 
+namespace millwear::wear {
+
+template <class Archive>
+void serialize(Archive& archive, ArcCurve& value) {
+  archive(value.bin_edges, value.values);
+}
+
+template <class Archive>
+void serialize(Archive& archive, SmoothedLoss& value) {
+  archive(value.rate, value.moved_share, value.strength, value.block_modes, value.bias_modes);
+}
+
+template <class Archive>
+void serialize(Archive& archive, PackedDataset& value) {
+  archive(value.name, value.unit, value.sizes, value.bytes);
+}
+
+template <class Archive>
+void serialize(Archive& archive, PackedLoad& value) {
+  archive(value.cycle, value.datasets);
+}
+
+}  // namespace millwear::wear
+
 namespace millwear::orchestrator {
 
-template <>
-struct Fields<wear::ArcCurve> {
-  using T = wear::ArcCurve;
-  static constexpr auto all = std::tuple(&T::bin_edges, &T::values);
-};
+template <class Archive>
+void serialize(Archive& archive, LoadLine& value) {
+  archive(value.raw, value.standard_error, value.smoothed, value.smoothed_error);
+}
 
-template <>
-struct Fields<wear::SmoothedLoss> {
-  using T = wear::SmoothedLoss;
-  static constexpr auto all =
-      std::tuple(&T::rate, &T::moved_share, &T::strength, &T::block_modes, &T::bias_modes);
-};
+template <class Archive>
+void serialize(Archive& archive, LoadAlongProfile& value) {
+  archive(value.cycle, value.arc_length, value.width, value.centres, value.contacts,
+          value.normal_dissipation, value.sliding_work, value.depth_rate);
+}
 
-template <>
-struct Fields<wear::PackedDataset> {
-  using T = wear::PackedDataset;
-  static constexpr auto all = std::tuple(&T::name, &T::unit, &T::sizes, &T::bytes);
-};
+template <class Archive>
+void serialize(Archive& archive, ImpactLine& value) {
+  archive(value.name, value.normal, value.shear, value.events_per_second, value.normal_power,
+          value.shear_power, value.unfinished_share, value.impact_speed);
+}
 
-template <>
-struct Fields<wear::PackedLoad> {
-  using T = wear::PackedLoad;
-  static constexpr auto all = std::tuple(&T::cycle, &T::datasets);
-};
+template <class Archive>
+void serialize(Archive& archive, Impacts& value) {
+  archive(value.cycle, value.liner, value.particles);
+}
 
-template <>
-struct Fields<LoadLine> {
-  using T = LoadLine;
-  static constexpr auto all =
-      std::tuple(&T::raw, &T::standard_error, &T::smoothed, &T::smoothed_error);
-};
-
-template <>
-struct Fields<LoadAlongProfile> {
-  using T = LoadAlongProfile;
-  static constexpr auto all =
-      std::tuple(&T::cycle, &T::arc_length, &T::width, &T::centres, &T::contacts,
-                 &T::normal_dissipation, &T::sliding_work, &T::depth_rate);
-};
-
-template <>
-struct Fields<ImpactLine> {
-  using T = ImpactLine;
-  static constexpr auto all =
-      std::tuple(&T::name, &T::normal, &T::shear, &T::events_per_second, &T::normal_power,
-                 &T::shear_power, &T::unfinished_share, &T::impact_speed);
-};
-
-template <>
-struct Fields<Impacts> {
-  using T = Impacts;
-  static constexpr auto all = std::tuple(&T::cycle, &T::liner, &T::particles);
-};
-
-template <>
-struct Fields<CycleLoad> {
-  using T = CycleLoad;
-  static constexpr auto all =
-      std::tuple(&T::smoothed, &T::by_block, &T::worn_by_load, &T::block_count, &T::path_over_slip,
-                 &T::bins, &T::along, &T::impacts, &T::hit_power, &T::spectrum_lines);
-};
+template <class Archive>
+void serialize(Archive& archive, CycleLoad& value) {
+  archive(value.smoothed, value.by_block, value.worn_by_load, value.block_count,
+          value.path_over_slip, value.bins, value.along, value.impacts, value.hit_power,
+          value.spectrum_lines);
+}
 
 namespace {
 
@@ -102,7 +93,7 @@ CycleLoad load_of_cycle(const Campaign& campaign, int cycle, const std::string& 
   const std::string key = kept_key(campaign.mill, load_hash);
   if (auto kept = kept_value<CycleLoad>(file, key)) return std::move(*kept);
   CycleLoad load = worked_out(campaign, cycle);
-  keep(file, key, packed_bytes(load));
+  keep_value(file, key, load);
   return load;
 }
 

@@ -5,7 +5,6 @@
 #include <string_view>
 
 #include "orchestrator/campaign/campaign.h"
-#include "orchestrator/loads/packing.h"
 
 namespace millwear::orchestrator {
 
@@ -25,17 +24,5 @@ void keep(const std::filesystem::path& file, std::string_view key, std::string_v
 /// written.
 [[nodiscard]] std::optional<std::string> kept_bytes(const std::filesystem::path& file,
                                                     std::string_view key);
-
-/// The value that was kept under this key, or nothing.
-template <class T>
-[[nodiscard]] std::optional<T> kept_value(const std::filesystem::path& file, std::string_view key) {
-  const auto bytes = kept_bytes(file, key);
-  if (!bytes) return std::nullopt;
-  try {
-    return unpacked<T>(*bytes);
-  } catch (const ResultRejected&) {
-    return std::nullopt;
-  }
-}
 
 }  // namespace millwear::orchestrator

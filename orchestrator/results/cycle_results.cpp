@@ -4,74 +4,89 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "mill/base/constants.h"
 #include "mill/liner/profile_measures.h"
 #include "orchestrator/campaign/kept_cycle.h"
 #include "orchestrator/dem_run/measured.h"
 #include "orchestrator/dem_run/mixing.h"
-#include "orchestrator/loads/kept_file.h"
+#include "orchestrator/loads/kept_value.h"
 #include "wear/band/campaign_band.h"
 #include "wear/numerics/arc_curve.h"
 #include "wear/numerics/block_means.h"
 #include "wear/numerics/random_stream.h"
 #include "wear/rate/smoothing_error.h"
 
+namespace millwear {
+
+template <class Archive>
+void serialize(Archive& archive, LinerSector& value) {
+  archive(value.shell_radius, value.plate_radius, value.rows);
+}
+
+template <class Archive>
+void serialize(Archive& archive, LinerProfile& value) {
+  archive(value.sector, value.nodes);
+}
+
+}  // namespace millwear
+
+namespace millwear::wear {
+
+template <class Archive>
+void serialize(Archive& archive, MotionMeasures& value) {
+  static_assert(std::is_trivially_copyable_v<MotionMeasures>);
+  archive(cereal::binary_data(&value, sizeof value));
+}
+
+template <class Archive>
+void serialize(Archive& archive, LinerReplicates& value) {
+  archive(value.profile, value.deeper);
+}
+
+}  // namespace millwear::wear
+
 namespace millwear::orchestrator {
 
-template <>
-struct Fields<LinerProfile> {
-  using T = LinerProfile;
-  static constexpr auto all = std::tuple(&T::sector, &T::nodes);
-};
+template <class Archive>
+void serialize(Archive& archive, HistoryRow& value) {
+  static_assert(std::is_trivially_copyable_v<HistoryRow>);
+  archive(cereal::binary_data(&value, sizeof value));
+}
 
-template <>
-struct Fields<wear::LinerReplicates> {
-  using T = wear::LinerReplicates;
-  static constexpr auto all = std::tuple(&T::profile, &T::deeper);
-};
+template <class Archive>
+void serialize(Archive& archive, ProfileRow& value) {
+  archive(value.cycle, value.step, value.operating_hours, value.nodes, value.depth_error);
+}
 
-template <>
-struct Fields<ProfileRow> {
-  using T = ProfileRow;
-  static constexpr auto all =
-      std::tuple(&T::cycle, &T::step, &T::operating_hours, &T::nodes, &T::depth_error);
-};
+template <class Archive>
+void serialize(Archive& archive, ReplicateRow& value) {
+  archive(value.cycle, value.step, value.operating_hours, value.heights, value.plates);
+}
 
-template <>
-struct Fields<ReplicateRow> {
-  using T = ReplicateRow;
-  static constexpr auto all =
-      std::tuple(&T::cycle, &T::step, &T::operating_hours, &T::heights, &T::plates);
-};
+template <class Archive>
+void serialize(Archive& archive, Conservation& value) {
+  archive(value.cycle, value.removed, value.accounted, value.moved_by_smoothing, value.rejected,
+          value.revolutions, value.peak_error, value.path_over_slip, value.end);
+}
 
-template <>
-struct Fields<Conservation> {
-  using T = Conservation;
-  static constexpr auto all =
-      std::tuple(&T::cycle, &T::removed, &T::accounted, &T::moved_by_smoothing, &T::rejected,
-                 &T::revolutions, &T::peak_error, &T::path_over_slip, &T::end);
-};
+template <class Archive>
+void serialize(Archive& archive, PowerSeries& value) {
+  archive(value.cycle, value.time, value.power);
+}
 
-template <>
-struct Fields<PowerSeries> {
-  using T = PowerSeries;
-  static constexpr auto all = std::tuple(&T::cycle, &T::time, &T::power);
-};
+template <class Archive>
+void serialize(Archive& archive, CampaignMoment& value) {
+  archive(value.time, value.hours, value.liner);
+}
 
-template <>
-struct Fields<CampaignMoment> {
-  using T = CampaignMoment;
-  static constexpr auto all = std::tuple(&T::time, &T::hours, &T::liner);
-};
-
-template <>
-struct Fields<CycleResults> {
-  using T = CycleResults;
-  static constexpr auto all = std::tuple(
-      &T::load_time, &T::rotation, &T::history, &T::profiles, &T::replicates, &T::step_durations,
-      &T::conservation, &T::power, &T::motion, &T::warning, &T::liners_after, &T::after);
-};
+template <class Archive>
+void serialize(Archive& archive, CycleResults& value) {
+  archive(value.load_time, value.rotation, value.history, value.profiles, value.replicates,
+          value.step_durations, value.conservation, value.power, value.motion, value.warning,
+          value.liners_after, value.after);
+}
 
 namespace {
 
@@ -271,7 +286,7 @@ std::vector<CycleResults> results_of_cycles(const Campaign& campaign, const Ledg
         worn, i - from, i > 0 ? results[i - 1].liners_after : wear::first_replicates(worn.front()),
         mill.campaign.scheme);
     add_band(band, worn[i - from], results[i]);
-    if (i + ahead < loads.size()) keep(file(i), keys[i + ahead], packed_bytes(results[i]));
+    if (i + ahead < loads.size()) keep_value(file(i), keys[i + ahead], results[i]);
   }
   return results;
 }

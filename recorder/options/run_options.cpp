@@ -7,7 +7,7 @@
 namespace millwear::recorder {
 
 std::string run_help() {
-  RunOptions options;
+  DeckRunOptions options;
   CLI::App app(
       "Runs a LIGGGHTS script to the same bits as liggghts would, with a search for neighbours "
       "that does not slow down where particles differ much in size:\n"
@@ -17,8 +17,8 @@ std::string run_help() {
   return app.help();
 }
 
-RunOptions run_options(const std::vector<std::string>& arguments) {
-  RunOptions options;
+DeckRunOptions run_options(const std::vector<std::string>& arguments) {
+  DeckRunOptions options;
   CLI::App app;
   for_each_option(options, into(app));
   parse_options(app, arguments, "run --help");

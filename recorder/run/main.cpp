@@ -127,7 +127,7 @@ void mix(const std::vector<std::string>& arguments) {
 }
 
 void only_run(const std::vector<std::string>& arguments) {
-  const RunOptions options = run_options(arguments);
+  const DeckRunOptions options = run_options(arguments);
   const auto liggghts = start_liggghts();
   run_deck(*liggghts, options.deck,
            [&](const std::string& line) { liggghts->input->one(line.c_str()); });

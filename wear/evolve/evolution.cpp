@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "mill/base/contract.h"
@@ -135,6 +136,20 @@ LossRate loss_on(const LinerProfile& profile, const LoadInTime& load, double tim
 }
 
 }  // namespace
+
+std::string_view name_of(EvolutionEnd end) {
+  switch (end) {
+    case EvolutionEnd::load_spent:
+      return "load_spent";
+    case EvolutionEnd::height_limit:
+      return "height_limit";
+    case EvolutionEnd::plate_limit:
+      return "plate_limit";
+    case EvolutionEnd::time_reached:
+      return "time_reached";
+  }
+  throw std::logic_error("an end of no kind");
+}
 
 Evolution evolve(std::span<const TimedLoad> loads, double new_lifter_area,
                  const CampaignSettings& settings, double longest) {

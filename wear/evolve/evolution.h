@@ -1,6 +1,7 @@
 #pragma once
 #include <limits>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "mill/case/campaign_settings.h"
@@ -24,6 +25,9 @@ enum class EvolutionEnd {
   plate_limit,   ///< the plate is worn out
   time_reached,  ///< the longest time is over
 };
+
+/// As in files, e.g. `load_spent`.
+[[nodiscard]] std::string_view name_of(EvolutionEnd end);
 
 struct Evolution {
   std::vector<GeometryStep> steps;  ///< none where a limit was passed already

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "mill/base/failure.h"
-#include "mill/case_file/case_schema_check.h"
 
 namespace millwear {
 namespace {
@@ -41,13 +40,6 @@ TEST(PlainText, RefusesWhatIsNotUtf8) {
 TEST(InQuotes, ShowsNoRawBytes) {
   EXPECT_EQ(in_quotes("a\nb\x1b"), "`a\\x0ab\\x1b`");
   EXPECT_EQ(in_quotes(std::string(100, 'x')).size(), 45U);
-}
-
-TEST(NearestWord, FindsSlipsOfThePen) {
-  const std::vector<std::string_view> known = {"rows", "speed_rpm", "shell_diameter_m"};
-  EXPECT_EQ(nearest_word("shell_diameter_mm", known), "shell_diameter_m");
-  EXPECT_EQ(nearest_word("row", known), "rows");
-  EXPECT_EQ(nearest_word("porosity", known), "");
 }
 
 }  // namespace

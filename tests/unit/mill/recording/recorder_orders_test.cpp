@@ -22,7 +22,7 @@ TEST(RecorderOrders, AreWordsOfACommandLine) {
   EXPECT_THAT(to_arguments(plan),
               ElementsAre("--in", "deck.in", "--case", "case.toml", "--liner", "liner.csv",
                           "--load", "load.h5", "--after", "100", "--until", "300", "--every", "2"));
-  EXPECT_THAT(to_arguments(RunOptions{"deck.in"}), ElementsAre("run", "--in", "deck.in"));
+  EXPECT_THAT(to_arguments(DeckRunOptions{"deck.in"}), ElementsAre("run", "--in", "deck.in"));
   EXPECT_THAT(to_arguments(MixingOptions{"deck.in", "mixing.csv", {100, 400, 2400, 1200}}),
               ElementsAre("mix", "--in", "deck.in", "--record", "mixing.csv", "--piece", "100",
                           "--after", "400", "--at-most", "2400", "--revolution", "1200"));

@@ -39,7 +39,7 @@ TEST(RecorderOrders, OfAMixingComeBackFromTheirWords) {
 }
 
 TEST(RecorderOrders, OfARunComeBackFromTheirWords) {
-  const RunOptions options{"deck.in"};
+  const DeckRunOptions options{"deck.in"};
   EXPECT_EQ(run_options(behind_verb(to_arguments(options), running_verb)), options);
 }
 

@@ -4,8 +4,12 @@ set(libraries millwear_mill millwear_meshgen millwear_liggghts_inputs millwear_w
   millwear_orchestrator)
 set(objects "")
 foreach(library ${libraries})
+  # The objects hold both code, which the programs are linked from, and what -Wodr compares.
+  target_compile_options(${library} PRIVATE -flto -ffat-lto-objects)
   list(APPEND objects $<TARGET_OBJECTS:${library}>)
 endforeach()
+# An archive of such objects also lists functions that their code lacks: the linker reads some twice.
+target_link_options(millwear_options INTERFACE -fno-lto -Wl,-z,muldefs)
 set(one_object ${CMAKE_CURRENT_BINARY_DIR}/one_definition.o)
 add_custom_command(OUTPUT ${one_object}
   COMMAND ${CMAKE_CXX_COMPILER} -flto -Wodr -Werror=odr -r -nostdlib -flinker-output=rel ${objects}

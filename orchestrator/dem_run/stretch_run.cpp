@@ -132,7 +132,8 @@ std::filesystem::path recorder_program() {
 
 std::optional<RecorderProgram> unrecorded_program(ContactPath path) {
   if (path == ContactPath::dumps) return std::nullopt;
-  return RecorderProgram{recorder_program(), to_arguments(DeckRunOptions{liggghts::file_names::deck})};
+  return RecorderProgram{recorder_program(),
+                         to_arguments(DeckRunOptions{liggghts::file_names::deck})};
 }
 
 void check_liggghts_is_installed(ContactPath path) {

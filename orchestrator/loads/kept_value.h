@@ -4,11 +4,13 @@
 #include <cereal/types/optional.hpp>
 #include <cereal/types/string.hpp>
 #include <cereal/types/vector.hpp>
+#include <exception>
 #include <filesystem>
 #include <optional>
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include "orchestrator/loads/kept_file.h"
@@ -39,6 +41,13 @@ void load(Archive& archive, Matrix<Scalar, Rows, Cols>& matrix) {
 
 namespace millwear::orchestrator {
 
+/// The `serialize` of a struct that is kept as its bytes.
+template <class Archive, class T>
+void serialize_bytes(Archive& archive, T& value) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  archive(cereal::binary_data(&value, sizeof value));
+}
+
 /// Publishes a value under its key. Throws DiskError.
 template <class T>
 void keep_value(const std::filesystem::path& file, std::string_view key, const T& value) {
@@ -47,16 +56,20 @@ void keep_value(const std::filesystem::path& file, std::string_view key, const T
   keep(file, key, std::move(bytes).str());
 }
 
-/// The value that was kept under this key, or nothing. The key holds the program's version and the
-/// file a hash of its bytes, so that they are those of such a value.
+/// The value that was kept under this key; nothing where there is none, or the bytes are not those
+/// of such a value, as after a build that its version does not tell from this one.
 template <class T>
 [[nodiscard]] std::optional<T> kept_value(const std::filesystem::path& file, std::string_view key) {
   auto kept = kept_bytes(file, key);
   if (!kept) return std::nullopt;
   std::istringstream bytes(std::move(*kept));
-  T value{};
-  cereal::BinaryInputArchive{bytes}(value);
-  return value;
+  try {
+    T value{};
+    cereal::BinaryInputArchive{bytes}(value);
+    if (bytes.peek() == std::istringstream::traits_type::eof()) return value;
+  } catch (const std::exception&) {  // ends early, or a length that no memory holds
+  }
+  return std::nullopt;
 }
 
 }  // namespace millwear::orchestrator

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 
 #include "mill/base/constants.h"
 #include "mill/liner/profile_measures.h"
@@ -36,8 +35,7 @@ namespace millwear::wear {
 
 template <class Archive>
 void serialize(Archive& archive, MotionMeasures& value) {
-  static_assert(std::is_trivially_copyable_v<MotionMeasures>);
-  archive(cereal::binary_data(&value, sizeof value));
+  orchestrator::serialize_bytes(archive, value);
 }
 
 template <class Archive>
@@ -51,8 +49,7 @@ namespace millwear::orchestrator {
 
 template <class Archive>
 void serialize(Archive& archive, HistoryRow& value) {
-  static_assert(std::is_trivially_copyable_v<HistoryRow>);
-  archive(cereal::binary_data(&value, sizeof value));
+  serialize_bytes(archive, value);
 }
 
 template <class Archive>

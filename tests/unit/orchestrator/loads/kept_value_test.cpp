@@ -28,6 +28,8 @@ TEST_F(KeptValue, IsNoneOfAnotherKind) {
   EXPECT_FALSE(kept_value<std::vector<std::string>>(file, "key").has_value()) << "a long length";
   keep_value(file, "key", std::vector<int>{1, 2});
   EXPECT_FALSE(kept_value<std::vector<double>>(file, "key").has_value()) << "ends early";
+  keep_value(file, "key", std::vector<double>{1e300, 1e300, 1e300});
+  EXPECT_FALSE(kept_value<Eigen::MatrixXd>(file, "key").has_value()) << "rows that do not divide";
 }
 
 }  // namespace

@@ -21,9 +21,10 @@ liggghts_inputs/decks: mill
 liggghts_inputs/outputs: mill liggghts_inputs/decks
 wear/numerics: mill/base mill/liner
 wear/record: mill wear/numerics
-wear/rate: mill wear/numerics wear/record
-wear/evolve: mill wear/numerics wear/record
-wear/band: mill wear/numerics wear/rate wear/evolve
+wear/surface: mill wear/numerics wear/record
+wear/rate: mill wear/numerics wear/record wear/surface
+wear/evolve: mill wear/numerics wear/record wear/surface
+wear/band: mill wear/numerics wear/surface wear/rate wear/evolve
 wear/calibrate: mill wear/numerics wear/evolve
 wear/gauge: mill wear/numerics wear/record wear/evolve
 recorder/liggghts:

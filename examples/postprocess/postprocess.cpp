@@ -81,8 +81,10 @@ WallLoad load_on(const LinerProfile& liner, const std::vector<WallContacts>& sam
 void postprocess(const std::filesystem::path& contacts, const std::filesystem::path& folder) {
   const LinerProfile liner = profile_of(sector, new_lifter);
   const WallLoad load = load_on(liner, read_contacts(contacts));
-  const wear::LoadRate rate = wear::rate_of_load(wear_settings, charge, load);
-  const std::vector<wear::TimedLoad> loads = {{0.0, liner, rate.smoothed.rate}};
+  const wear::LoadRate rate = wear::rate_of_load(wear_settings, charge, liner, load);
+  const std::vector<wear::TimedLoad> loads = {
+      {0.0, liner, rate.smoothed.rate, rate.by_block,
+       wear::Rolling{rate.smoothed.path, rate.smoothed.per_path, rate.balls, rate.corrosion}}};
   const auto steps = wear::evolve(loads, lifter_area(liner), until).steps;
 
   double hours = 0.0;

@@ -15,6 +15,15 @@ enum class SmoothingMethod {
 /// As the case file writes it.
 [[nodiscard]] std::string_view name_of(SmoothingMethod method);
 
+/// What becomes of steel that the smallest simulated particle cannot reach, as in a narrow foot.
+enum class ShadowedSteel {
+  closing,  ///< smaller particles wear it: it gives way with the surface the smallest one touches
+  kept,     ///< nothing wears it
+};
+
+/// As the case file writes it.
+[[nodiscard]] std::string_view name_of(ShadowedSteel shadowed_steel);
+
 /// The defaults are those of the case file.
 struct WearSettings {
   std::vector<WearMechanism> mechanisms;  ///< the law is their sum
@@ -22,6 +31,7 @@ struct WearSettings {
   int time_blocks = 10;                   ///< replicates of the load in one measurement
   double excess_speed = 0.1;              ///< v_0 of the excess kinetic energy of an impact [m/s]
   SmoothingMethod smoothing{};            ///< of the load along the profile
+  ShadowedSteel shadowed_steel{};
 };
 
 }  // namespace millwear

@@ -63,6 +63,11 @@ const std::vector<KeyRow<WearSettings>>& wear_keys() {
               {SmoothingMethod::penalised, SmoothingMethod::paper},
               "how the load is smoothed along the profile: `penalised` as much as its "
               "noise asks for, `paper` by the two splines of the 2006 paper"),
+       choice(
+           Presence::defaulted, "shadowed_steel", in(&Wear::shadowed_steel),
+           {ShadowedSteel::closing, ShadowedSteel::kept},
+           "steel that the smallest simulated particle cannot reach: `closing` gives way with "
+           "the surface that this particle touches, as smaller ones would wear it, `kept` stays"),
        defaulted("excess_speed_m_per_s", in(&Wear::excess_speed), between(0.0, 100.0),
                  "speed of impact above which the excess kinetic energy counts [m/s]")});
   return rows;

@@ -23,9 +23,11 @@ std::vector<wear::PathStep> steps_of(const OpenCampaign& kept, int cycle) {
 }
 
 /// The smoothed rate of a load, along the liner in the steel's frame.
-wear::ArcCurve rate_along_steel(const Case& mill, const WallLoad& recorded, Rotation rotation) {
-  return as_turned(wear::rate_of_load(mill.wear, mill.charge.classes, recorded).smoothed.rate,
-                   rotation);
+wear::ArcCurve rate_along_steel(const Case& mill, const LinerProfile& dem_liner,
+                                const WallLoad& recorded, Rotation rotation) {
+  return as_turned(
+      wear::rate_of_load(mill.wear, mill.charge.classes, dem_liner, recorded).smoothed.rate,
+      rotation);
 }
 
 }  // namespace
@@ -37,14 +39,15 @@ std::vector<wear::PathCycle> path_cycles(const OpenCampaign& kept, const Case& o
     const auto recorded =
         wear::read_load(campaign.folder.stage({cycle, StageKind::dem}) / stage_files::load);
     const Rotation rotation = rotation_of_cycle(campaign, cycle);
+    const LinerProfile dem_liner = dem_liner_of_cycle(campaign, cycle);
     cycles.push_back({liner_of_cycle(campaign, cycle),
-                      rate_along_steel(campaign.mill, recorded, rotation),
+                      rate_along_steel(campaign.mill, dem_liner, recorded, rotation),
                       {},
                       steps_of(kept, cycle)});
     for (const auto& mechanism : other.wear.mechanisms) {
       Case alone = other;
       alone.wear.mechanisms = {mechanism};
-      cycles.back().mechanisms.push_back(rate_along_steel(alone, recorded, rotation));
+      cycles.back().mechanisms.push_back(rate_along_steel(alone, dem_liner, recorded, rotation));
     }
   }
   if (cycles.front().steps.empty())

@@ -34,8 +34,10 @@ LawOnCycle law_on_cycle(const Campaign& campaign, const Case& other, const Ledge
                         int cycle) {
   const auto recorded =
       wear::read_load(campaign.folder.stage({cycle, StageKind::dem}) / stage_files::load);
-  LawOnCycle result{cycle, lifter_height(liner_of_cycle(campaign, cycle)),
-                    law_on_load(campaign.mill, other, recorded), unknown, unknown};
+  LawOnCycle result{
+      cycle, lifter_height(liner_of_cycle(campaign, cycle)),
+      law_on_load(campaign.mill, other, dem_liner_of_cycle(campaign, cycle), recorded), unknown,
+      unknown};
   const StageId worn{cycle, StageKind::wear};
   if (ledger.find(worn) == nullptr) return result;
   const auto kept =
@@ -56,9 +58,11 @@ double share_elsewhere(const Eigen::VectorXd& first, const Eigen::VectorXd& seco
   return 0.5 * (first / of_first - second / of_second).cwiseAbs().dot(widths);
 }
 
-LawOnLoad law_on_load(const Case& campaign, const Case& other, const WallLoad& recorded) {
-  const auto before = wear::rate_of_load(campaign.wear, campaign.charge.classes, recorded);
-  const auto after = wear::rate_of_load(other.wear, other.charge.classes, recorded);
+LawOnLoad law_on_load(const Case& campaign, const Case& other, const LinerProfile& dem_liner,
+                      const WallLoad& recorded) {
+  const auto before =
+      wear::rate_of_load(campaign.wear, campaign.charge.classes, dem_liner, recorded);
+  const auto after = wear::rate_of_load(other.wear, other.charge.classes, dem_liner, recorded);
   const Eigen::VectorXd widths = before.load.bin_widths();
   LawOnLoad result{after.raw.dot(widths),
                    before.raw.dot(widths),

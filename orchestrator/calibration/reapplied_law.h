@@ -24,9 +24,9 @@ struct LawOnLoad {
 [[nodiscard]] double share_elsewhere(const Eigen::VectorXd& first, const Eigen::VectorXd& second,
                                      const Eigen::VectorXd& widths);
 
-/// `other` is the campaign's case with another law, `recorded` as in load.h5.
+/// `other` is the campaign's case with another law, `recorded` on `dem_liner` as in load.h5.
 [[nodiscard]] LawOnLoad law_on_load(const Case& campaign, const Case& other,
-                                    const WallLoad& recorded);
+                                    const LinerProfile& dem_liner, const WallLoad& recorded);
 
 /// One cycle of a campaign under another law. The times are of the steps that the cycle took, and
 /// NaN where its wear is not done yet.

@@ -27,8 +27,8 @@ wear::Estimate mean_by_blocks(const std::vector<double>& series, int blocks) {
 
 }  // namespace
 
-Measured stretch_measures(const Case& mill, const liggghts::StretchSteps& steps,
-                          const wear::LinerRecord& record,
+Measured stretch_measures(const Case& mill, const LinerProfile& dem_liner,
+                          const liggghts::StretchSteps& steps, const wear::LinerRecord& record,
                           const std::filesystem::path& torque_file) {
   const auto torque = liggghts::read_torque_series(read_file(torque_file), torque_file.string());
   const long last = torque.empty() ? 0 : torque.back().step;
@@ -54,10 +54,11 @@ Measured stretch_measures(const Case& mill, const liggghts::StretchSteps& steps,
   measured.samples = steps.samples();
   measured.rejected_share = wear::rejected_share(record.load);
   measured.revolutions = steps.measure_time() * mill.speed / (2.0 * std::numbers::pi);
-  measured.peak_error =
-      record.goal ? record.goal->peak_error
-                  : wear::peak_error(
-                        wear::rate_of_load(mill.wear, mill.charge.classes, record.load).smoothed);
+  measured.peak_error = record.goal
+                            ? record.goal->peak_error
+                            : wear::peak_error(wear::rate_of_load(mill.wear, mill.charge.classes,
+                                                                  dem_liner, record.load)
+                                                   .smoothed);
   if (record.goal) measured.target_error = record.goal->target_error;
   return measured;
 }

@@ -243,7 +243,8 @@ void dem_stage(const Campaign& campaign, int cycle, const fs::path& into, Progre
     read_dumps(campaign, cycle, steps, into, progress);
   const auto record = wear::read_record(into / stage_files::load);
   wear::check_rejected_share(record.load, largest_rejected_share);
-  const Measured measured = stretch_measures(mill, steps, record, into / names::torque);
+  const Measured measured = stretch_measures(mill, dem_liner_of_cycle(campaign, cycle), steps,
+                                             record, into / names::torque);
   write_measured(into / stage_files::measured, measured);
   progress.say(fmt::format("cycle {}: {}", cycle, spoken_end(measured)));
 }

@@ -17,7 +17,13 @@ void serialize(Archive& archive, ArcCurve& value) {
 
 template <class Archive>
 void serialize(Archive& archive, SmoothedLoss& value) {
-  archive(value.rate, value.moved_share, value.strength, value.block_modes, value.bias_modes);
+  archive(value.rate, value.path, value.per_path, value.moved_share, value.strength,
+          value.block_modes, value.bias_modes);
+}
+
+template <class Archive>
+void serialize(Archive& archive, RollingBalls& value) {
+  archive(value.smallest, value.mean);
 }
 
 template <class Archive>
@@ -58,9 +64,9 @@ void serialize(Archive& archive, Impacts& value) {
 
 template <class Archive>
 void serialize(Archive& archive, CycleLoad& value) {
-  archive(value.smoothed, value.by_block, value.worn_by_load, value.block_count,
-          value.path_over_slip, value.bins, value.along, value.impacts, value.hit_power,
-          value.spectrum_lines);
+  archive(value.smoothed, value.by_block, value.balls, value.corrosion, value.worn_by_load,
+          value.block_count, value.path_over_slip, value.bins, value.along, value.impacts,
+          value.hit_power, value.spectrum_lines);
 }
 
 namespace {
@@ -71,16 +77,19 @@ std::filesystem::path load_file(const Campaign& campaign, int cycle) {
 
 CycleLoad worked_out(const Campaign& campaign, int cycle) {
   const auto& mill = campaign.mill;
+  const LinerProfile liner = dem_liner_of_cycle(campaign, cycle);
   const auto record = wear::read_record(load_file(campaign, cycle));
-  const auto rate = wear::rate_of_load(mill.wear, mill.charge.classes, record.load);
+  const auto rate = wear::rate_of_load(mill.wear, mill.charge.classes, liner, record.load);
   const auto bins = wear::packed({cycle, wear::coarsened(record.load, wear::cells_per_bin)});
   return {.smoothed = rate.smoothed,
           .by_block = rate.by_block,
+          .balls = rate.balls,
+          .corrosion = rate.corrosion,
           .worn_by_load = rate.raw.dot(rate.load.bin_widths()),
           .block_count = static_cast<int>(record.load.block_count),
           .path_over_slip = path_over_slip(record.load),
           .bins = bins,
-          .along = load_along_profile(mill, cycle, rate),
+          .along = load_along_profile(mill, cycle, liner, rate),
           .impacts = impacts_of(cycle, record, mill),
           .hit_power = hit_power(record),
           .spectrum_lines = spectrum_lines(spectrum_rows(cycle, record, class_names(mill)))};
@@ -102,7 +111,8 @@ CycleLoad load_of_cycle(const Campaign& campaign, int cycle) {
 }
 
 wear::TimedLoad timed_load(double time, const LinerProfile& dem_liner, const CycleLoad& load) {
-  return {time, dem_liner, load.smoothed.rate, load.by_block};
+  return {time, dem_liner, load.smoothed.rate, load.by_block,
+          wear::Rolling{load.smoothed.path, load.smoothed.per_path, load.balls, load.corrosion}};
 }
 
 }  // namespace millwear::orchestrator

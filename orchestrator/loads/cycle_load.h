@@ -17,11 +17,13 @@ namespace millwear::orchestrator {
 struct CycleLoad {
   wear::SmoothedLoss smoothed;
   Eigen::MatrixXd by_block;  ///< of `wear::LoadRate`
-  double worn_by_load;       ///< rate of loss summed over the bins of the raw load [m2/s]
-  int block_count;           ///< time blocks of the measurement
-  double path_over_slip;     ///< see `millwear::path_over_slip`
-  wear::PackedLoad bins;     ///< for `bins.h5`
-  LoadAlongProfile along;    ///< without the places of its bins
+  wear::RollingBalls balls;
+  double corrosion;        ///< depth lost everywhere [m/s]
+  double worn_by_load;     ///< rate of loss summed over the bins of the raw load [m2/s]
+  int block_count;         ///< time blocks of the measurement
+  double path_over_slip;   ///< see `millwear::path_over_slip`
+  wear::PackedLoad bins;   ///< for `bins.h5`
+  LoadAlongProfile along;  ///< without the places of its bins
   Impacts impacts;
   std::vector<double> hit_power;  ///< see hit_power.h
   std::string spectrum_lines;     ///< of `spectra.csv`

@@ -30,10 +30,11 @@ LoadLine rate_line(const WallLoad& load, Measure measure, const Eigen::ArrayXd& 
 
 }  // namespace
 
-LoadAlongProfile load_along_profile(const Case& mill, int cycle, const wear::LoadRate& rate) {
+LoadAlongProfile load_along_profile(const Case& mill, int cycle, const LinerProfile& dem_liner,
+                                    const wear::LoadRate& rate) {
   const auto& load = rate.load;
   const Eigen::VectorXd widths = load.bin_widths();
-  const auto how = wear::smoothing_of(mill.wear, mill.charge.classes);
+  const auto how = wear::smoothing_of(mill.wear, mill.charge.classes, dem_liner, rate.balls);
   const Eigen::ArrayXd surface_time =
       load.bin_area().array() * static_cast<double>(load.rows) * load.duration;
   return {cycle,

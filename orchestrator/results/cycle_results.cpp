@@ -208,10 +208,11 @@ std::size_t first_step_row(const CycleResults& cycle) {
 wear::WornCycle worn_cycle(const Case& mill, int number, const CycleResults& cycle,
                            const LinerProfile& liner, const CycleLoad& load) {
   const auto seed = wear::random_bits(mill.dem.seed, static_cast<std::uint64_t>(number));
-  wear::WornCycle worn{timed_load(cycle.load_time, dem_liner(cycle, liner), load),
-                       wear::rate_replicates(load.smoothed, replicates, seed),
-                       {},
-                       cycle.rotation};
+  wear::WornCycle worn{
+      timed_load(cycle.load_time, dem_liner(cycle, liner), load),
+      wear::rate_replicates(load.smoothed, replicates, seed, wear::ReplicateOf::noise),
+      {},
+      cycle.rotation};
   for (std::size_t i = 0; i < cycle.step_durations.size(); ++i) {
     const LinerProfile after{mill.liner.sector, cycle.profiles[first_step_row(cycle) + i].nodes};
     worn.steps.push_back({cycle.step_durations[i], dem_liner(cycle, after)});

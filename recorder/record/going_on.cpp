@@ -22,11 +22,12 @@ long expected_step(const RecordingPlan& plan, const wear::MeasurementGoal& goal)
 
 }  // namespace
 
-NextPiece next_piece(const Case& mill, const RecordingPlan& plan, const WallLoad& load) {
+NextPiece next_piece(const Case& mill, const RecordingPlan& plan, const LinerProfile& liner,
+                     const WallLoad& load) {
   const auto& going_on = *plan.going_on;
   const wear::MeasurementGoal goal{
       going_on.target_error,
-      wear::peak_error(wear::rate_of_load(mill.wear, mill.charge.classes, load).smoothed)};
+      wear::peak_error(wear::rate_of_load(mill.wear, mill.charge.classes, liner, load).smoothed)};
   if (wear::is_reached(goal) || plan.last_step + going_on.by_steps > going_on.at_most)
     return {goal, 0, plan.last_step};
   return {goal, going_on.by_steps, expected_step(plan, goal)};

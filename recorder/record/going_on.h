@@ -15,10 +15,10 @@ struct NextPiece {
 };
 
 /// Goes on by `by_steps` while the peaks are not known well enough and `at_most` is not reached.
-/// `load` is that of all ranks up to `plan.last_step`; the law and the smoothing are the case's.
-/// Throws as `rate_of_load` does.
+/// `load` is that of all ranks on `liner` up to `plan.last_step`; the law and the smoothing are the
+/// case's. Throws as `rate_of_load` does.
 [[nodiscard]] NextPiece next_piece(const Case& mill, const RecordingPlan& plan,
-                                   const WallLoad& load);
+                                   const LinerProfile& liner, const WallLoad& load);
 
 /// The line for the log, for whoever follows the recorder.
 [[nodiscard]] MeasuringLine line_for_log(const RecordingPlan& plan, const NextPiece& next);

@@ -82,6 +82,7 @@ StretchRecorder::StretchRecorder(LAMMPS& liggghts, const Case& mill, const Recor
     : liggghts_(liggghts),
       mill_(mill),
       plan_(plan),
+      liner_(liner),
       mesh_(the_mesh(liggghts)),
       liner_friction_(liner_friction(mill)),
       load_(liner, measurement_of(mill, plan, liggghts.update->dt, triangles_of(mesh_)),
@@ -265,7 +266,7 @@ NextPiece StretchRecorder::decide() {
   const WallLoad load = sum_over_ranks(load_.load_so_far(), liggghts_.world);
   NextPiece next{};
   if (liggghts_.comm->me == 0) {
-    next = next_piece(mill_, plan_, load);
+    next = next_piece(mill_, plan_, liner_, load);
     fmt::print("{}\n", printed(line_for_log(plan_, next)));
     std::fflush(stdout);
   }

@@ -59,6 +59,7 @@ class StretchRecorder {
   LAMMPS_NS::LAMMPS& liggghts_;
   Case mill_;
   RecordingPlan plan_;
+  LinerProfile liner_;
   LAMMPS_NS::FixMeshSurface& mesh_;
   std::vector<LinerFriction> liner_friction_;  ///< by particle class
   std::optional<CollisionSpool> spool_;

@@ -81,7 +81,8 @@ WallLoad first_blocks(const WallLoad& load, long count) {
 }
 
 double error_of(const Case& mill, const WallLoad& load) {
-  return wear::peak_error(wear::rate_of_load(mill.wear, mill.charge.classes, load).smoothed);
+  return wear::peak_error(
+      wear::rate_of_load(mill.wear, mill.charge.classes, mill.liner, load).smoothed);
 }
 
 void expect_same(const Recording& a, const Recording& b) {

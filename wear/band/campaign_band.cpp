@@ -14,12 +14,24 @@ double root_mean_square(const Eigen::VectorXd& deviations) {
   return deviations.norm() / std::sqrt(static_cast<double>(deviations.size()));
 }
 
+/// The same scatter about the prediction. The greatest and the least of a noisy profile lie beyond
+/// those of its mean, the more the noisier it is: the replicates' extremes beyond the prediction's
+/// as the prediction's beyond the truth's.
+Eigen::VectorXd centred(const Eigen::VectorXd& replicates, double predicted) {
+  return replicates.array() + (predicted - replicates.mean());
+}
+
 LinerBand band_after(const LinerReplicates& liners, double time) {
-  LinerBand band{{time, lifter_heights(liners), plate_thicknesses(liners)}, 0, 0, 0, {}};
-  band.height_error =
-      root_mean_square(band.replicates.heights.array() - lifter_height(liners.profile));
-  band.plate_error =
-      root_mean_square(band.replicates.plates.array() - plate_thickness(liners.profile));
+  const double height = lifter_height(liners.profile);
+  const double plate = plate_thickness(liners.profile);
+  LinerBand band{
+      {time, centred(lifter_heights(liners), height), centred(plate_thicknesses(liners), plate)},
+      0,
+      0,
+      0,
+      {}};
+  band.height_error = root_mean_square(band.replicates.heights.array() - height);
+  band.plate_error = root_mean_square(band.replicates.plates.array() - plate);
   band.section_error = root_mean_square(sections_ahead(liners));
   const Eigen::Index bins = liners.deeper.rows();
   band.depth_error = Eigen::VectorXd(bins);

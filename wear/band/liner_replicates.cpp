@@ -1,25 +1,48 @@
 #include "wear/band/liner_replicates.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "mill/liner/profile_measures.h"
 #include "mill/liner/rotation.h"
+#include "wear/numerics/arc_curve.h"
 #include "wear/numerics/block_means.h"
+#include "wear/surface/centre_path.h"
+#include "wear/surface/edges.h"
 
 namespace millwear::wear {
 namespace {
+
+/// A turn within a bin from which on two faces meet at an edge [rad].
+constexpr double least_edge = std::numbers::pi / 7.2;
 
 double bin_width(const LinerReplicates& liners) {
   return arc_lengths(liners.profile).back() / static_cast<double>(liners.deeper.rows());
 }
 
-/// The centre of a bin and the inward normal of the profile over that bin.
+/// A place of the surface, and how far it moves with the depths of two bins: at the centre of a bin
+/// along its normal, at an edge to where the two faces meet anew.
 struct SurfacePlace {
   Eigen::Vector2d position;
-  Eigen::Vector2d inward;
+  Eigen::Index before;
+  Eigen::Index after;
+  Eigen::Vector2d with_before;  ///< movement per depth of the bin before
+  Eigen::Vector2d with_after;
+
+  [[nodiscard]] Eigen::Vector2d moved(const Eigen::MatrixXd& deeper, Eigen::Index replicate) const {
+    return position + deeper(before, replicate) * with_before +
+           deeper(after, replicate) * with_after;
+  }
 };
+
+Eigen::Vector2d inward_normal(const LinerProfile& profile, const std::vector<double>& lengths,
+                              double from, double to) {
+  const Eigen::Vector2d along = place_at(profile, lengths, to) - place_at(profile, lengths, from);
+  return Eigen::Vector2d(along.y(), -along.x()).normalized();
+}
 
 std::vector<SurfacePlace> surface_of(const LinerReplicates& liners) {
   const auto lengths = arc_lengths(liners.profile);
@@ -27,10 +50,21 @@ std::vector<SurfacePlace> surface_of(const LinerReplicates& liners) {
   std::vector<SurfacePlace> places;
   for (Eigen::Index bin = 0; bin < liners.deeper.rows(); ++bin) {
     const double left = static_cast<double>(bin) * width;
-    const Eigen::Vector2d along = place_at(liners.profile, lengths, left + 0.99 * width) -
-                                  place_at(liners.profile, lengths, left + 0.01 * width);
-    places.push_back({place_at(liners.profile, lengths, left + 0.5 * width),
-                      Eigen::Vector2d(along.y(), -along.x()).normalized()});
+    places.push_back(
+        {place_at(liners.profile, lengths, left + 0.5 * width), bin, bin,
+         inward_normal(liners.profile, lengths, left + 0.01 * width, left + 0.99 * width),
+         Eigen::Vector2d::Zero()});
+  }
+  for (const Edge& edge : edges_of(liners.profile, width, least_edge)) {
+    if (edge.turn > 0.0) continue;
+    const double s = edge.arc_length;
+    const auto beside = bins_beside(s, width, liners.deeper.rows());
+    Eigen::Matrix2d normals;
+    normals << inward_normal(liners.profile, lengths, s - width, s).transpose(),
+        inward_normal(liners.profile, lengths, s, s + width).transpose();
+    const Eigen::Matrix2d meets = normals.inverse();
+    places.push_back({place_at(liners.profile, lengths, s), beside.left, beside.right, meets.col(0),
+                      meets.col(1)});
   }
   return places;
 }
@@ -48,17 +82,35 @@ RadiusChange radius_change(const LinerReplicates& liners, const std::vector<Surf
   double greatest = 0.0;
   double least_before = least;
   double greatest_before = greatest;
-  for (Eigen::Index bin = 0; bin < liners.deeper.rows(); ++bin) {
-    const SurfacePlace& place = places[static_cast<std::size_t>(bin)];
+  for (const SurfacePlace& place : places) {
     const double before = radius_of(sector, place.position);
-    const double after =
-        radius_of(sector, place.position + liners.deeper(bin, replicate) * place.inward);
+    const double after = radius_of(sector, place.moved(liners.deeper, replicate));
     least_before = std::min(least_before, before);
     greatest_before = std::max(greatest_before, before);
     least = std::min(least, after);
     greatest = std::max(greatest, after);
   }
   return {least - least_before, greatest - greatest_before};
+}
+
+/// The displacements `deeper` after balls have worn a depth of `worn` on a flat: they change the
+/// curvature by d2d/ds2 + kappa^2 d (a crest that moves as a whole keeps its own), and with it what
+/// is worn, d = deeper + worn r (d2d/ds2 + kappa^2 d).
+Eigen::MatrixXd levelled(const LinerProfile& profile, const Eigen::MatrixXd& deeper,
+                         const Eigen::VectorXd& worn, double ball_radius) {
+  if (ball_radius == 0.0) return deeper;
+  const Eigen::Index bins = deeper.rows();
+  const double width = arc_lengths(profile).back() / static_cast<double>(bins);
+  const Eigen::ArrayXd spread = ball_radius * worn.array();
+  const Eigen::ArrayXd curvature = curvature_along(profile, bins, 2.0 * ball_radius);
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(bins, bins);
+  for (Eigen::Index bin = 0; bin < bins; ++bin) {
+    const double share = spread[bin] / (width * width);
+    matrix(bin, bin) += 2.0 * share - spread[bin] * curvature[bin] * curvature[bin];
+    matrix(bin, (bin + 1) % bins) -= share;
+    matrix(bin, (bin + bins - 1) % bins) -= share;
+  }
+  return matrix.partialPivLu().solve(deeper);
 }
 
 /// Square of the relative standard error of a load's section rate.
@@ -80,14 +132,14 @@ LinerReplicates worn(const LinerReplicates& before, const UncertainLoad& load, d
   const Eigen::Index bins = before.deeper.rows();
   const double middle = start + 0.5 * duration;
   const auto onto_current = load.load.carrier().onto_bins(before.profile, bins);
-  const Eigen::VectorXd rate = onto_current * load.load.rate(middle);
+  const Eigen::VectorXd rate = onto_current * load.load.per_path(middle);
   Eigen::MatrixXd change = onto_current * load.load.sum(middle, load.newest, load.previous);
   change += rate * (load.growth * sections_ahead(before)).transpose();
-  const Eigen::VectorXd mean = change.rowwise().mean();
-  change = change.cwiseMax((-rate).replicate(1, change.cols()));
-  change.colwise() += mean - change.rowwise().mean();
+  change = centre_path(before.profile, bins, load.load.balls()).asDiagonal() * change;
+  const Eigen::MatrixXd deeper = levelled(before.profile, before.deeper + duration * change,
+                                          duration * rate, load.load.balls().mean);
   const LoadCarrier along_surface(before.profile, bins);
-  return {after, along_surface.onto_bins(after, bins) * (before.deeper + duration * change)};
+  return {after, along_surface.onto_bins(after, bins) * deeper};
 }
 
 LinerReplicates mirrored(const LinerReplicates& liners) {

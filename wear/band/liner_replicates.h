@@ -30,10 +30,10 @@ struct UncertainLoad {
 /// The replicates after a geometry step that took `duration` [s] from `start` [s] and left the
 /// predicted liner as `after`. Replicate r deepens by
 ///     d' = e_r(s, t) + v(s, t) growth a_r,     a_r = int d ds,
-/// e_r its deviation from the rate v, cut where their sum is below zero and then shifted so that
-/// the mean of all replicates stays (where little wears, cutting would push them all ahead): what
-/// is ahead by a section a_r wears at the rate that the liner comes to when it has lost as much
-/// more. Displacements are carried along with the surface (`LoadCarrier`).
+/// e_r its deviation from the rate v: what is ahead by a section a_r wears at the rate that the
+/// liner comes to when it has lost as much more. It is linear, so deviations that sum to zero along
+/// the profile take no section; where little wears a replicate's rate may be below zero.
+/// Displacements are carried along with the surface (`LoadCarrier`).
 [[nodiscard]] LinerReplicates worn(const LinerReplicates& before, const UncertainLoad& load,
                                    double start, double duration, const LinerProfile& after);
 

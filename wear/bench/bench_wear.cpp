@@ -105,7 +105,7 @@ BENCHMARK(smooth_with_errors)
 void make_replicates(benchmark::State& state) {
   const Eigen::MatrixXd by_block = noisy_rates();
   const auto loss = smoothed(edges_on(seed_lifter()), by_block.rowwise().mean(), by_block);
-  for (auto _ : state) benchmark::DoNotOptimize(rate_replicates(loss, 200, 1));
+  for (auto _ : state) benchmark::DoNotOptimize(rate_replicates(loss, 200, 1, ReplicateOf::noise));
 }
 BENCHMARK(make_replicates)->Unit(benchmark::kMillisecond);
 

@@ -10,6 +10,7 @@
 #include "mill/liner/profile_measures.h"
 #include "wear/evolve/profile_motion.h"
 #include "wear/evolve/step_control.h"
+#include "wear/evolve/surface_loss.h"
 
 namespace millwear::wear {
 namespace {
@@ -37,16 +38,16 @@ struct TimedMove {
   MovedProfile moved;
 };
 
-/// The loss rate on a profile, and its section per second.
+/// The loss on a profile, and its section per second.
 struct LossRate {
-  std::vector<LossNode> nodes;
+  SurfaceLoss surface;
   double area_rate;
 };
 
 TimedMove move_for(const LinerProfile& profile, const LossRate& loss, double duration,
                    double resolution) {
-  return {duration, move_profile(profile, scaled(loss.nodes, duration), loss.area_rate * duration,
-                                 resolution)};
+  return {duration, move_profile(profile, depths_after(loss.surface, duration),
+                                 loss.area_rate * duration, resolution)};
 }
 
 /// The move of a step, or where that is more than the load can take, of its half, its quarter ...
@@ -123,15 +124,15 @@ class StepPlan {
   double duration_;
 };
 
+/// The loss on a profile worn from the load's liner. On the liner itself it takes what was
+/// measured; what the surface there takes more or less goes with the rest of the way as one factor.
 LossRate loss_on(const LinerProfile& profile, const LoadInTime& load, double time) {
-  const Eigen::VectorXd rate = load.rate(time);
-  const Eigen::VectorXd at_nodes = load.carrier().onto_nodes(profile) * rate;
-  Eigen::Index node = 0;
-  LossRate loss{
-      loss_nodes(profile, load.carrier().bin_width(), [&](double) { return at_nodes[node++]; }),
-      0.0};
-  const bool on_its_bins = profile.nodes == load.liner().nodes;
-  loss.area_rate = on_its_bins ? rate.sum() * load.carrier().bin_width() : loss_area(loss.nodes);
+  LossRate loss{surface_loss(profile, load, time), load.section_rate(time)};
+  if (profile.nodes == load.liner().nodes) return loss;
+  const bool is_measured = load.balls().mean > 0.0 || load.balls().smallest > 0.0;
+  const double first =
+      is_measured ? section_rate(surface_loss(load.liner(), load, time)) : loss.area_rate;
+  loss.area_rate *= section_rate(loss.surface) / first;
   return loss;
 }
 

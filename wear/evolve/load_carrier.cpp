@@ -2,19 +2,42 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 namespace millwear::wear {
 namespace {
 
 constexpr double look_aside_share_of_bin = 1.0 / 40.0;
 constexpr double reach_in_bins = 4.0;
+/// Cosine of the angle up to which two places face the same way.
+constexpr double same_way = 0.5;
+constexpr double edge_from = std::numbers::pi / 7.2;
+
+std::size_t segment_at(const std::vector<double>& lengths, double arc_length) {
+  const auto above = std::upper_bound(lengths.begin() + 1, lengths.end() - 1, arc_length);
+  return static_cast<std::size_t>(above - lengths.begin()) - 1;
+}
+
+double wrapped(double arc_length, double length) {
+  return arc_length - length * std::floor(arc_length / length);
+}
+
+/// Direction of a profile at an arc length.
+Eigen::Vector2d along_at(const LinerProfile& profile, const std::vector<double>& lengths,
+                         double arc_length) {
+  const auto i = segment_at(lengths, wrapped(arc_length, lengths.back()));
+  return (profile.nodes[i + 1] - profile.nodes[i]).normalized();
+}
 
 }  // namespace
 
 LoadCarrier::LoadCarrier(const LinerProfile& first, Eigen::Index bins)
     : first_(first),
+      lengths_(arc_lengths(first)),
       bins_(bins),
-      width_(arc_lengths(first).back() / static_cast<double>(bins)),
+      width_(lengths_.back() / static_cast<double>(bins)),
+      edges_(edges_of(first, width_, edge_from)),
       index_(first, reach_in_bins * width_, grid_for_hundreds) {}
 
 LoadCarrier::Rows LoadCarrier::onto_nodes(const LinerProfile& worn) const {
@@ -43,7 +66,7 @@ LoadCarrier::Rows LoadCarrier::onto(const LinerProfile& worn,
   const double aside = look_aside_share_of_bin * width_;
   std::vector<Eigen::Triplet<double>> entries;
   const auto add = [&](Eigen::Index row, double arc_length, double weight) {
-    const auto between = bins_beside(arc_length, width_, bins_);
+    const auto between = bins_of(arc_length);
     entries.emplace_back(row, between.left, weight * (1.0 - between.share));
     entries.emplace_back(row, between.right, weight * between.share);
   };
@@ -54,7 +77,8 @@ LoadCarrier::Rows LoadCarrier::onto(const LinerProfile& worn,
       continue;
     }
     for (const double side : {-aside, aside}) {
-      add(row, index_.nearest(place_at(worn, lengths, places[i] + side)).arc_length, 0.5);
+      const double place = places[i] + side;
+      add(row, origin_of(place_at(worn, lengths, place), along_at(worn, lengths, place)), 0.5);
     }
   }
   Rows rows(static_cast<Eigen::Index>(places.size()), bins_);
@@ -62,14 +86,44 @@ LoadCarrier::Rows LoadCarrier::onto(const LinerProfile& worn,
   return rows;
 }
 
+double LoadCarrier::origin_of(const Eigen::Vector2d& place, const Eigen::Vector2d& along) const {
+  const double nearest = index_.nearest(place).arc_length;
+  if (along.dot(along_at(first_, lengths_, nearest)) >= same_way) return nearest;
+  double least = std::numeric_limits<double>::infinity();
+  double found = nearest;
+  for (std::size_t i = 0; i + 1 < first_.nodes.size(); ++i)
+    for (const int pitch : {-1, 0, 1}) {
+      const Eigen::Vector2d from = shifted_by_pitches(first_.sector, first_.nodes[i], pitch);
+      const Eigen::Vector2d way =
+          shifted_by_pitches(first_.sector, first_.nodes[i + 1], pitch) - from;
+      if (!(along.dot(way) >= same_way * way.norm()) || !(way.norm() > 0.0)) continue;
+      const double share = std::clamp((place - from).dot(way) / way.squaredNorm(), 0.0, 1.0);
+      const double distance = (place - from - share * way).norm();
+      if (distance >= least) continue;
+      least = distance;
+      found = lengths_[i] + share * way.norm();
+    }
+  return found;
+}
+
+BinsBeside LoadCarrier::bins_of(double arc_length) const {
+  BinsBeside between = bins_beside(arc_length, width_, bins_);
+  const double length = lengths_.back();
+  const double left_centre = (static_cast<double>(between.left) + 0.5) * width_;
+  const double way = between.share * width_;
+  for (const Edge& edge : edges_) {
+    const double to_edge = wrapped(edge.arc_length - left_centre, length);
+    if (to_edge < width_) between.share = way < to_edge ? 0.0 : 1.0;
+  }
+  return between;
+}
+
 Eigen::Vector2d place_at(const LinerProfile& profile, const std::vector<double>& lengths,
                          double arc_length) {
-  const double length = lengths.back();
-  const double wrapped = arc_length - length * std::floor(arc_length / length);
-  const auto above = std::upper_bound(lengths.begin() + 1, lengths.end() - 1, wrapped);
-  const auto i = static_cast<std::size_t>(above - lengths.begin());
-  const double share = (wrapped - lengths[i - 1]) / (lengths[i] - lengths[i - 1]);
-  return profile.nodes[i - 1] + share * (profile.nodes[i] - profile.nodes[i - 1]);
+  const double here = wrapped(arc_length, lengths.back());
+  const auto i = segment_at(lengths, here);
+  const double share = (here - lengths[i]) / (lengths[i + 1] - lengths[i]);
+  return profile.nodes[i] + share * (profile.nodes[i + 1] - profile.nodes[i]);
 }
 
 }  // namespace millwear::wear

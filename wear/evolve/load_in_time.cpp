@@ -14,6 +14,11 @@ const TimedLoad& newest_of(std::span<const TimedLoad> loads) {
   return loads.back();
 }
 
+Rolling rolling_of(const TimedLoad& load) {
+  if (load.rolling) return *load.rolling;
+  return {Eigen::VectorXd::Ones(load.rate.values.size()), load.rate.values, {0.0, 0.0}, 0.0};
+}
+
 }  // namespace
 
 std::span<const TimedLoad> in_use(std::span<const TimedLoad> loads, Scheme scheme) {
@@ -21,9 +26,12 @@ std::span<const TimedLoad> in_use(std::span<const TimedLoad> loads, Scheme schem
 }
 
 LoadInTime::LoadInTime(std::span<const TimedLoad> loads)
-    : newest_(newest_of(loads)), carrier_(newest_.profile, newest_.rate.values.size()) {
+    : newest_(newest_of(loads)),
+      newest_rolling_(rolling_of(newest_)),
+      carrier_(newest_.profile, newest_.rate.values.size()) {
   if (loads.size() < 2) return;
   previous_ = loads[loads.size() - 2];
+  previous_per_path_ = rolling_of(*previous_).per_path;
   expect(previous_->time < newest_.time, "the times of a liner's loads increase");
   previous_onto_newest_ = LoadCarrier(previous_->profile, previous_->rate.values.size())
                               .onto_bins(newest_.profile, newest_.rate.values.size());
@@ -46,9 +54,15 @@ Eigen::MatrixXd LoadInTime::sum(double time, const Eigen::MatrixXd& newest,
   return (1.0 - share) * newest + share * (previous_onto_newest_ * previous);
 }
 
-Eigen::VectorXd LoadInTime::rate(double time) const {
-  if (!previous_) return newest_.rate.values;
-  return sum(time, newest_.rate.values, previous_->rate.values).cwiseMax(0.0);
+Eigen::VectorXd LoadInTime::per_path(double time) const {
+  if (!previous_) return newest_rolling_.per_path;
+  return sum(time, newest_rolling_.per_path, previous_per_path_).cwiseMax(0.0);
+}
+
+double LoadInTime::section_rate(double time) const {
+  const auto bins = static_cast<double>(newest_rolling_.path.size());
+  return carrier_.bin_width() *
+         (newest_rolling_.path.dot(per_path(time)) + bins * newest_rolling_.corrosion);
 }
 
 ZonedLoad LoadInTime::predicted(const LinerProfile& worn, double time) const {

@@ -7,6 +7,16 @@ namespace millwear::wear {
 namespace {
 
 constexpr double widest_mitre = std::numbers::pi / 12.0;
+/// A turn from which on two faces meet at an edge [rad].
+constexpr double least_edge = std::numbers::pi / 12.0;
+constexpr double aside_share_of_bin = 1.0 / 20.0;
+
+/// The way from a node to the next.
+struct Stretch {
+  const LossNode* from;
+  const LossNode* to;
+  Eigen::Vector2d normal;  ///< into the steel
+};
 
 Eigen::Vector2d inward_normal(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
   const Eigen::Vector2d along = (to - from).normalized();
@@ -39,12 +49,19 @@ Polygon fan(const LossNode& node, const Eigen::Vector2d& first, double angle) {
 std::vector<LossNode> loss_nodes(const LinerProfile& profile, double resolution,
                                  const std::function<double(double)>& depth_at) {
   std::vector<LossNode> nodes;
+  const double aside = aside_share_of_bin * resolution;
   double arc_length = 0.0;
   for (std::size_t i = 0; i + 1 < profile.nodes.size(); ++i) {
     const Eigen::Vector2d along = profile.nodes[i + 1] - profile.nodes[i];
     const double length = along.norm();
+    const bool is_edge =
+        i > 0 && divergence(profile.nodes[i] - profile.nodes[i - 1], along) < -least_edge;
+    if (is_edge) {
+      nodes.push_back({profile.nodes[i], depth_at(arc_length - aside)});
+      nodes.push_back({profile.nodes[i], depth_at(arc_length + aside)});
+    }
     const int pieces = std::max(1, static_cast<int>(std::ceil(2.0 * length / resolution)));
-    for (int piece = 0; piece < pieces; ++piece) {
+    for (int piece = is_edge ? 1 : 0; piece < pieces; ++piece) {
       const double share = static_cast<double>(piece) / pieces;
       nodes.push_back({profile.nodes[i] + share * along, depth_at(arc_length + share * length)});
     }
@@ -84,26 +101,24 @@ std::vector<LossNode> over_three_pitches(const LinerSector& sector,
 
 std::vector<Polygon> swept_region(const std::vector<LossNode>& nodes) {
   std::vector<Polygon> region;
-  std::vector<Eigen::Vector2d> normals;
-  for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
-    normals.push_back(inward_normal(nodes[i].position, nodes[i + 1].position));
-  }
-  std::vector<double> angles(nodes.size(), 0.0);
-  for (std::size_t i = 1; i < normals.size(); ++i) {
-    angles[i] = divergence(normals[i - 1], normals[i]);
-  }
+  std::vector<Stretch> stretches;
+  for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
+    if (nodes[i].position != nodes[i + 1].position)
+      stretches.push_back(
+          {&nodes[i], &nodes[i + 1], inward_normal(nodes[i].position, nodes[i + 1].position)});
+  std::vector<double> angles(stretches.size() + 1, 0.0);
+  for (std::size_t i = 1; i < stretches.size(); ++i)
+    angles[i] = divergence(stretches[i - 1].normal, stretches[i].normal);
   const auto is_mitred = [&](std::size_t i) { return angles[i] > 0.0 && angles[i] < widest_mitre; };
-  for (std::size_t i = 0; i < normals.size(); ++i) {
-    const LossNode& here = nodes[i];
-    const LossNode& next = nodes[i + 1];
-    if (angles[i] >= widest_mitre && here.depth > 0.0) {
-      region.push_back(fan(here, normals[i - 1], angles[i]));
-    }
-    if (!(here.depth > 0.0 || next.depth > 0.0)) continue;
-    const Eigen::Vector2d from = is_mitred(i) ? mitre(normals[i - 1], normals[i]) : normals[i];
-    const Eigen::Vector2d to = is_mitred(i + 1) ? mitre(normals[i], normals[i + 1]) : normals[i];
-    region.push_back({here.position, next.position, next.position + next.depth * to,
-                      here.position + here.depth * from});
+  for (std::size_t i = 0; i < stretches.size(); ++i) {
+    const auto& [here, next, normal] = stretches[i];
+    if (angles[i] >= widest_mitre && here->depth > 0.0)
+      region.push_back(fan(*here, stretches[i - 1].normal, angles[i]));
+    if (!(here->depth > 0.0 || next->depth > 0.0)) continue;
+    const Eigen::Vector2d from = is_mitred(i) ? mitre(stretches[i - 1].normal, normal) : normal;
+    const Eigen::Vector2d to = is_mitred(i + 1) ? mitre(normal, stretches[i + 1].normal) : normal;
+    region.push_back({here->position, next->position, next->position + next->depth * to,
+                      here->position + here->depth * from});
   }
   return region;
 }

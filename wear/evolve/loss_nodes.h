@@ -15,7 +15,8 @@ struct LossNode {
 
 /// Every node of the profile, and places between them so that no two are farther apart than half
 /// of `resolution` [m]; the depth at each by `depth_at` of its arc length [m], the last the same as
-/// the first because they are the same place of two pitches.
+/// the first because they are the same place of two pitches. An edge is two nodes, with the depths
+/// a twentieth of the resolution before it and after it: each of its faces moves by its own.
 [[nodiscard]] std::vector<LossNode> loss_nodes(const LinerProfile& profile, double resolution,
                                                const std::function<double(double)>& depth_at);
 

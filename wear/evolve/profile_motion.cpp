@@ -40,6 +40,30 @@ Points positions(const std::vector<LossNode>& nodes) {
   return points;
 }
 
+/// The surface with the nodes of the loss that lie on it, so that rounding leaves no sliver between
+/// the two.
+Points with_loss_nodes(const Points& surface, const std::vector<LossNode>& loss) {
+  Points points{surface.front()};
+  std::vector<std::pair<double, Eigen::Vector2d>> between;
+  for (std::size_t i = 0; i + 1 < surface.size(); ++i) {
+    const Eigen::Vector2d along = surface[i + 1] - surface[i];
+    between.clear();
+    for (const LossNode& node : loss) {
+      const double way = (node.position - surface[i]).dot(along) / along.norm();
+      const bool is_beside = way > clipping_grid && way < along.norm() - clipping_grid;
+      if (is_beside &&
+          distance_to_segment(node.position, surface[i], surface[i + 1]) < clipping_grid)
+        between.emplace_back(way, node.position);
+    }
+    std::sort(between.begin(), between.end(),
+              [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (const auto& [way, position] : between)
+      if (points.back() != position) points.push_back(position);
+    points.push_back(surface[i + 1]);
+  }
+  return points;
+}
+
 /// An arc far below the shell, over the same sectors as the three pitches of the surface.
 Points bottom_under(const LinerProfile& profile) {
   const LinerSector& sector = profile.sector;
@@ -196,7 +220,10 @@ std::optional<LinerProfile> matched_with_few_nodes(const LinerProfile& old,
 std::vector<SurfaceNode> moved_along_normals(const LinerSector& sector,
                                              const std::vector<LossNode>& loss) {
   std::vector<SurfaceNode> nodes;
-  for (const LossNode& node : loss) nodes.push_back({node.position, node.depth, node.depth == 0.0});
+  for (const LossNode& node : loss) {
+    const bool is_edge = !nodes.empty() && nodes.back().position == node.position;
+    if (!is_edge) nodes.push_back({node.position, node.depth, node.depth == 0.0});
+  }
   const LinerProfile moved = deepened(sector, nodes, 1.0);
   for (std::size_t i = 0; i < nodes.size(); ++i) nodes[i].position = moved.nodes[i];
   return nodes;
@@ -302,7 +329,7 @@ MovedProfile move_profile(const LinerProfile& profile, const std::vector<LossNod
   const auto nodes = over_three_pitches(sector, loss);
   const Points old_surface =
       positions(over_three_pitches(sector, loss_nodes(profile, 1e9, [](double) { return 0.0; })));
-  const Points surface = positions(nodes);
+  const Points surface = with_loss_nodes(old_surface, nodes);
   const Points bottom = bottom_under(profile);
   const auto take = [&](double scale) {
     const SteelCut left = cut(surface, bottom, swept_region(scaled(nodes, scale)));

@@ -16,7 +16,8 @@ struct MovedProfile {
 
 /// New steel = old steel minus the region swept by the loss, over the pitch and its neighbours.
 ///
-/// `loss` are the depths on `profile`, from `loss_nodes`. They are all multiplied by one factor so
+/// `loss` are the depths on `profile`, or on a closing of it (wear/surface/closing.h), from
+/// `loss_nodes`. They are all multiplied by one factor so
 /// that the section removed is `target_area` [m2], to 1e-9 of it (or to the rounding of a section,
 /// 1e-14 of the shell's sector, where that is more): on a corner the swept pieces
 /// overlap, at a foot they leave gaps, and the volume of the wear law decides, not the depth.

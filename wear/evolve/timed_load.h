@@ -1,10 +1,20 @@
 #pragma once
 #include <Eigen/Core>
+#include <optional>
 
 #include "mill/liner/liner_profile.h"
 #include "wear/numerics/arc_curve.h"
+#include "wear/surface/centre_path.h"
 
 namespace millwear::wear {
+
+/// A load of balls that roll over the liner: rate = path * per_path + corrosion.
+struct Rolling {
+  Eigen::VectorXd path;      ///< by bins, wear/surface/centre_path.h
+  Eigen::VectorXd per_path;  ///< rate of a flat surface, by bins [m/s]
+  RollingBalls balls;
+  double corrosion = 0.0;  ///< depth rate, the same everywhere [m/s]
+};
 
 /// A measured load: the rate at which it wears the liner that it was measured on.
 struct TimedLoad {
@@ -14,6 +24,8 @@ struct TimedLoad {
   /// The rate before it was smoothed, from each time block: bins x blocks [m/s]. Empty where `rate`
   /// is known without noise.
   Eigen::MatrixXd by_block{};
+  /// How it changes with the shape; as on points, not at all, where there are none.
+  std::optional<Rolling> rolling{};
 };
 
 /// Section of steel that a load takes per second [m2/s].

@@ -3,8 +3,10 @@
 
 #include "mill/case/charge.h"
 #include "mill/case/wear_settings.h"
+#include "mill/liner/liner_profile.h"
 #include "mill/load/wall_load.h"
 #include "wear/rate/smoothing.h"
+#include "wear/surface/centre_path.h"
 
 namespace millwear::wear {
 
@@ -16,19 +18,28 @@ struct LoadRate {
   /// (`as_independent`).
   Eigen::MatrixXd by_block;
   SmoothedLoss smoothed;  ///< the same, smoothed along the profile, with its errors
+  RollingBalls balls;
+  double corrosion;  ///< part of all rates but of `smoothed.per_path` [m/s]
 };
 
-/// How the loads of a charge are smoothed: by the settings' method, and resolved no finer along the
-/// profile than the radius of the smallest particle.
-[[nodiscard]] Smoothing smoothing_of(const WearSettings& settings,
-                                     const std::vector<ParticleClass>& classes);
+/// The balls of a load: the smallest of the charge, whose closing of the liner wears, or none where
+/// shadowed steel is kept; and the mean, each class weighted with what it wears.
+[[nodiscard]] RollingBalls balls_of(const WearSettings& settings,
+                                    const std::vector<ParticleClass>& classes,
+                                    const WallLoad& load);
 
-/// Lays the settings' bins on a recorded load, applies their mechanisms and smooths the loss that
-/// goes with contacts. Corrosion is the same everywhere, has no error, and is added after the
-/// smoothing. `classes` are those that the load was recorded by.
-/// Throws as `coarsened`, `depth_rate` and `smoothed` do.
+/// How a load of these balls on a liner is smoothed: by the settings' method along the way of their
+/// centres, and resolved no finer than the diameter of the smallest particle.
+[[nodiscard]] Smoothing smoothing_of(const WearSettings& settings,
+                                     const std::vector<ParticleClass>& classes,
+                                     const LinerProfile& liner, const RollingBalls& balls);
+
+/// Lays the settings' bins on the load recorded on a liner, applies their mechanisms and smooths
+/// the loss that goes with contacts. Corrosion is the same everywhere, has no error, and is added
+/// after the smoothing. `classes` are those that the load was recorded by. Throws as `coarsened`,
+/// `depth_rate` and `smoothed` do.
 [[nodiscard]] LoadRate rate_of_load(const WearSettings& settings,
                                     const std::vector<ParticleClass>& classes,
-                                    const WallLoad& recorded);
+                                    const LinerProfile& liner, const WallLoad& recorded);
 
 }  // namespace millwear::wear

@@ -4,24 +4,30 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
+#include <vector>
 
 #include "mill/base/contract.h"
 #include "mill/base/failure.h"
 #include "wear/numerics/paper_spline.h"
-#include "wear/numerics/penalised_spline.h"
+#include "wear/numerics/whittaker_smoother.h"
 
 namespace millwear::wear {
 namespace {
 
 constexpr Eigen::Index fewest_bins = 8;
-constexpr Eigen::Index fewest_coefficients = 4;
-constexpr Eigen::Index most_coefficients = 128;
+/// A bin with less of the ball's way counts as untouched.
+constexpr double least_path = 0.1;
+/// Weight of a bin in the shadow, of the mean of all.
+constexpr double shadow_weight = 1e-3;
 constexpr Eigen::Index variance_half_width = 2;
 constexpr Eigen::Index widest_peak_half_width = 2;
 constexpr double variance_floor = 0.01;
 constexpr Eigen::Index shortest_unloaded_stretch = 3;
 constexpr double even_to = 1e-6;
+/// Of squares of values up to 1.
+constexpr double rounding = 1e-24;
 
 void check(const Eigen::VectorXd& bin_edges, const Eigen::VectorXd& rate,
            const Eigen::MatrixXd& by_block) {
@@ -58,16 +64,37 @@ Eigen::MatrixXd deviations_of(const Eigen::MatrixXd& by_block) {
   return (by_block.colwise() - mean) / std::sqrt(blocks * (blocks - 1.0));
 }
 
-Eigen::VectorXd weights_from(const Eigen::MatrixXd& deviations) {
-  const Eigen::VectorXd variance = deviations.rowwise().squaredNorm();
-  const double typical = variance.mean();
-  if (!(typical > 0.0)) return Eigen::VectorXd::Ones(deviations.rows());
-  return typical * periodic_mean(variance, variance_half_width)
-                       .cwiseMax(variance_floor * typical)
-                       .cwiseInverse();
+/// 1 where the ball touches, else 0.
+Eigen::ArrayXd touched(const Eigen::VectorXd& path) {
+  return (path.array() >= least_path).cast<double>();
 }
 
-/// 1 where steel may be lost: bins with loss, their neighbours, and gaps too short to count.
+/// Of the loss per way. A bin's count of contacts, and so its variance, goes with its way.
+Eigen::VectorXd weights_from(const Eigen::MatrixXd& deviations, const Eigen::VectorXd& path) {
+  const Eigen::ArrayXd counts = touched(path);
+  const Eigen::ArrayXd variance =
+      deviations.rowwise().squaredNorm().array() * path.array() * counts;
+  const double typical = variance.sum() / counts.sum();
+  Eigen::VectorXd weights = path;
+  if (typical > rounding) {
+    const Eigen::ArrayXd among = periodic_mean(counts.matrix(), variance_half_width).array();
+    const Eigen::ArrayXd mean =
+        periodic_mean(variance.matrix(), variance_half_width).array() / among.max(1e-9);
+    weights.array() *= typical / mean.max(variance_floor * typical);
+  }
+  return (counts > 0.0).select(weights, shadow_weight * weights.mean());
+}
+
+/// From each bin's centre to the next along the way of the ball's centre, in bins.
+Eigen::VectorXd spacing_of(const Eigen::VectorXd& path) {
+  const Eigen::VectorXd way = path.cwiseMax(least_path);
+  Eigen::VectorXd next(way.size());
+  next << way.tail(way.size() - 1), way[0];
+  return 0.5 * (way + next);
+}
+
+/// 1 where steel may be lost: bins with loss, their neighbours, and gaps too short to count. All
+/// of them are touched.
 Eigen::ArrayXd loaded_places(const Eigen::VectorXd& rate) {
   const Eigen::Index n = rate.size();
   const auto loss_at = [&](Eigen::Index i) { return rate[(i % n + n) % n] > 0.0; };
@@ -81,6 +108,36 @@ Eigen::ArrayXd loaded_places(const Eigen::VectorXd& rate) {
     if (before >= 2 && after >= 2 && long_stretch) loaded[i] = 0.0;
   }
   return loaded;
+}
+
+std::vector<Eigen::Index> touched_bins(const Eigen::VectorXd& path) {
+  std::vector<Eigen::Index> bins;
+  for (Eigen::Index bin = 0; bin < path.size(); ++bin)
+    if (path[bin] >= least_path) bins.push_back(bin);
+  return bins;
+}
+
+/// `loaded_places` where some bins are not touched: these are neither loaded nor a gap.
+Eigen::ArrayXd loaded_places(const Eigen::VectorXd& rate, const std::vector<Eigen::Index>& bins) {
+  Eigen::ArrayXd loaded = Eigen::ArrayXd::Zero(rate.size());
+  loaded(bins) = loaded_places(rate(bins));
+  return loaded;
+}
+
+/// Keeps the values of the touched bins and gives every other the line between those beside it.
+Eigen::MatrixXd across_shadows(Eigen::Index count, const std::vector<Eigen::Index>& bins) {
+  Eigen::MatrixXd across = Eigen::MatrixXd::Zero(count, count);
+  for (std::size_t i = 0; i < bins.size(); ++i) {
+    const Eigen::Index from = bins[i];
+    const Eigen::Index to = bins[(i + 1) % bins.size()];
+    const Eigen::Index gap = (to - from + count - 1) % count + 1;
+    for (Eigen::Index k = 0; k < gap; ++k) {
+      const double share = static_cast<double>(k) / static_cast<double>(gap);
+      across((from + k) % count, from) += 1.0 - share;
+      across((from + k) % count, to) += share;
+    }
+  }
+  return across;
 }
 
 /// What is left of the residuals where they are larger than their noise: peaks that are sharper
@@ -106,68 +163,103 @@ Eigen::MatrixXd bias_of(const LinearSmoother& smoother, const Eigen::VectorXd& r
   return modes;
 }
 
-/// What becomes of deviations of a fit where the fit is cut to the loaded places and scaled by
-/// `scale` so that its sum is that of the data, to first order: a deviation of the data that sums
-/// to `sums` makes one of the result that sums to the same.
-Eigen::MatrixXd cut_and_scaled(const Eigen::MatrixXd& deviations, const Eigen::ArrayXd& loaded,
-                               double scale, const Eigen::VectorXd& result,
-                               const Eigen::RowVectorXd& sums) {
-  const Eigen::MatrixXd cut = scale * (deviations.array().colwise() * loaded).matrix();
-  return cut + result / result.sum() * (sums - cut.colwise().sum());
+/// How a fit becomes the result: cut to the loaded places, laid across the shadows, and scaled so
+/// that its sum is that of the data.
+struct Finish {
+  Eigen::ArrayXd loaded;
+  Eigen::MatrixXd across;
+  double scale;
+
+  [[nodiscard]] Eigen::MatrixXd operator()(const Eigen::MatrixXd& fit) const {
+    return scale * (across * (fit.array().colwise() * loaded).matrix());
+  }
+};
+
+/// What becomes of deviations of a fit, to first order: a deviation of the data that sums to `sums`
+/// makes one of the result that sums to the same.
+Eigen::MatrixXd finished_deviations(const Eigen::MatrixXd& deviations, const Finish& finish,
+                                    const Eigen::VectorXd& result, const Eigen::VectorXd& path,
+                                    const Eigen::RowVectorXd& sums) {
+  const Eigen::MatrixXd cut = finish(deviations);
+  return cut + result / path.dot(result) * (sums - path.transpose() * cut);
 }
 
-Eigen::Index coefficients_for(const Eigen::VectorXd& bin_edges, double resolution) {
-  const Eigen::Index bins = bin_edges.size() - 1;
-  const double length = bin_edges[bins] - bin_edges[0];
-  const auto resolved = resolution > 0.0 ? static_cast<Eigen::Index>(length / resolution) : bins;
-  return std::clamp(resolved, fewest_coefficients, std::min(most_coefficients, bins / 2));
+/// lambda that halves waves of twice the resolution, of values that lie `spacing` apart.
+double least_strength(double spacing, double resolution) {
+  return std::pow(resolution / (std::numbers::pi * spacing), 2);
 }
 
-LinearSmoother smoother_for(const Eigen::VectorXd& bin_edges, const Eigen::VectorXd& rate,
-                            const Eigen::MatrixXd& deviations, const Smoothing& how) {
+LinearSmoother smoother_for(const Eigen::VectorXd& rate, const Eigen::MatrixXd& deviations,
+                            const Smoothing& how, double bin_width) {
   switch (how.method) {
-    case SmoothingMethod::penalised:
-      return penalised_spline(rate, weights_from(deviations), deviations,
-                              coefficients_for(bin_edges, how.resolution));
+    case SmoothingMethod::penalised: {
+      const Eigen::VectorXd spacing = spacing_of(how.centre_path);
+      return whittaker_smoother(rate, weights_from(deviations, how.centre_path), deviations,
+                                spacing,
+                                least_strength(bin_width * spacing.mean(), how.resolution));
+    }
     case SmoothingMethod::paper:
       return paper_spline(rate.size());
   }
   throw std::logic_error("a smoothing of no kind");
 }
 
+/// With a way over every bin: as long as the bin where none was given, and for `paper`.
+Smoothing with_path(Smoothing how, Eigen::Index bins) {
+  const bool is_given = how.centre_path.size() > 0 && how.method == SmoothingMethod::penalised;
+  if (!is_given) how.centre_path = Eigen::VectorXd::Ones(bins);
+  expect(how.centre_path.size() == bins && how.centre_path.maxCoeff() >= least_path,
+         "every bin of a load has a way of the ball's centre, and one is touched");
+  return how;
+}
+
 }  // namespace
 
 SmoothedLoss smoothed(const Eigen::VectorXd& bin_edges, const Eigen::VectorXd& rate,
-                      const Eigen::MatrixXd& by_block, const Smoothing& how) {
+                      const Eigen::MatrixXd& by_block, const Smoothing& smoothing) {
   check(bin_edges, rate, by_block);
   const Eigen::Index bins = rate.size();
+  const Smoothing how = with_path(smoothing, bins);
+  const Eigen::VectorXd& path = how.centre_path;
   const Eigen::MatrixXd deviations = deviations_of(by_block);
   const double before = rate.sum();
   if (before == 0.0) {
     return {{bin_edges, rate},
+            path,
+            rate,
             0.0,
             0.0,
             Eigen::MatrixXd::Zero(bins, deviations.cols()),
             Eigen::MatrixXd(bins, 0)};
   }
+  const Eigen::VectorXd shares = path.cwiseMax(least_path).cwiseInverse() / rate.maxCoeff();
   const double unit = rate.maxCoeff();
-  const auto smoother = smoother_for(bin_edges, rate / unit, deviations / unit, how);
-  const Eigen::ArrayXd loaded = loaded_places(rate);
-  Eigen::VectorXd after = (smoother.hat * rate).array().max(0.0) * loaded;
-  const double scaling = before / after.sum();
+  const Eigen::VectorXd per_path = shares.cwiseProduct(rate);
+  const Eigen::MatrixXd per_path_deviations = shares.asDiagonal() * deviations;
+  const auto smoother =
+      smoother_for(per_path, per_path_deviations, how, bin_edges[1] - bin_edges[0]);
+  const auto touched_places = touched_bins(path);
+  Finish finish{loaded_places(rate, touched_places), across_shadows(bins, touched_places), unit};
+  Eigen::VectorXd after = finish((smoother.hat * per_path).cwiseMax(0.0));
+  const double scaling = before / path.dot(after);
   if (!(scaling > 0.0 && std::isfinite(scaling)))
     throw ResultRejected("smoothing left nothing of the load");
   after *= scaling;
-  const double moved = 0.5 * (after - rate).lpNorm<1>() / before;
+  finish.scale *= scaling;
+  const Eigen::VectorXd smooth_rate = path.cwiseProduct(after);
+  const double moved = 0.5 * (smooth_rate - rate).lpNorm<1>() / before;
   if (deviations.cols() == 0)
-    return {{bin_edges, after}, moved, smoother.strength, deviations, deviations};
-  const Eigen::MatrixXd noise = smoother.hat * deviations;
-  const Eigen::MatrixXd bias = unit * bias_of(smoother, rate / unit, deviations / unit);
-  return {{bin_edges, after},
+    return {{bin_edges, smooth_rate}, path,       after,     moved,
+            smoother.strength,        deviations, deviations};
+  const Eigen::MatrixXd noise = smoother.hat * per_path_deviations;
+  const Eigen::MatrixXd bias = bias_of(smoother, per_path, per_path_deviations);
+  return {{bin_edges, smooth_rate},
+          path,
+          after,
           moved,
           smoother.strength,
-          cut_and_scaled(noise, loaded, scaling, after, deviations.colwise().sum()),
-          cut_and_scaled(bias, loaded, scaling, after, Eigen::RowVectorXd::Zero(bias.cols()))};
+          finished_deviations(noise, finish, after, path, deviations.colwise().sum()),
+          finished_deviations(bias, finish, after, path, Eigen::RowVectorXd::Zero(bias.cols()))};
 }
 
 }  // namespace millwear::wear

@@ -18,12 +18,13 @@ constexpr double least_peak = 0.5;
 Eigen::VectorXd standard_error(const SmoothedLoss& loss) {
   if (loss.block_modes.cols() < 2)
     return Eigen::VectorXd::Constant(loss.rate.values.size(), unknown);
-  return (loss.block_modes.rowwise().squaredNorm() + loss.bias_modes.rowwise().squaredNorm())
-      .cwiseSqrt();
+  const Eigen::VectorXd variance =
+      loss.block_modes.rowwise().squaredNorm() + loss.bias_modes.rowwise().squaredNorm();
+  return loss.path.array() * variance.array().sqrt();
 }
 
 double peak_error(const SmoothedLoss& loss) {
-  const auto& rate = loss.rate.values;
+  const auto& rate = loss.per_path;
   const Eigen::Index bins = rate.size();
   const double greatest = rate.maxCoeff();
   if (loss.block_modes.cols() < 2 || !(greatest > 0.0)) return unknown;
@@ -37,7 +38,8 @@ double peak_error(const SmoothedLoss& loss) {
   return largest;
 }
 
-Eigen::MatrixXd rate_replicates(const SmoothedLoss& loss, Eigen::Index count, std::uint64_t seed) {
+Eigen::MatrixXd rate_replicates(const SmoothedLoss& loss, Eigen::Index count, std::uint64_t seed,
+                                ReplicateOf what) {
   const Eigen::Index blocks = loss.block_modes.cols();
   const Eigen::Index modes = loss.bias_modes.cols();
   if (blocks < 2) throw InputError("a load of one time block has no replicates; take two or more");
@@ -47,8 +49,10 @@ Eigen::MatrixXd rate_replicates(const SmoothedLoss& loss, Eigen::Index count, st
       (static_cast<double>(freedom) /
        normals.middleRows(blocks, freedom).colwise().squaredNorm().array())
           .sqrt();
-  return loss.block_modes * normals.topRows(blocks) * stretch.asDiagonal() +
-         loss.bias_modes * normals.bottomRows(modes);
+  Eigen::MatrixXd deviations = loss.block_modes * normals.topRows(blocks) * stretch.asDiagonal();
+  if (what == ReplicateOf::noise_and_bias)
+    deviations += loss.bias_modes * normals.bottomRows(modes);
+  return deviations;
 }
 
 }  // namespace millwear::wear

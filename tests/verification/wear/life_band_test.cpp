@@ -58,7 +58,9 @@ Campaign campaign(const CampaignSettings& settings, double growth, std::uint64_t
     loads.push_back({time, liner, loss.rate, by_block});
     const auto evolution =
         evolve(loads, depth_to_limit * arc_lengths(bare_ring()).back(), settings);
-    cycles.push_back({loads.back(), rate_replicates(loss, 200, seed * 1000 + cycles.size()), {}});
+    cycles.push_back({loads.back(),
+                      rate_replicates(loss, 200, seed * 1000 + cycles.size(), ReplicateOf::noise),
+                      {}});
     for (const auto& step : evolution.steps) {
       cycles.back().steps.push_back({step.duration, step.profile});
       time += step.duration;

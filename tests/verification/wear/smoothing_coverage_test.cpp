@@ -46,7 +46,8 @@ Coverage coverage_of(const SyntheticMill& mill, SmoothingMethod method) {
     const auto load = measured(mill, seed);
     const auto loss = smoothed(load.edges, load.rate, load.by_block, {method, resolution});
     const auto& rate = loss.rate.values;
-    const Eigen::MatrixXd deviations = rate_replicates(loss, replicates, seed);
+    const Eigen::MatrixXd deviations =
+        rate_replicates(loss, replicates, seed, ReplicateOf::noise_and_bias);
     const auto band = [&](Eigen::Index bin) { return band_of(rate[bin], deviations.row(bin)); };
     double places = 0.0;
     double held = 0.0;

@@ -81,7 +81,8 @@ TEST(WearLimits, LifterGoesBelowThePlate) {
   EXPECT_EQ(evolution.end, EvolutionEnd::height_limit);
   expect_sound(profile, evolution);
   const auto& last = evolution.steps.back().profile;
-  EXPECT_NEAR(lifter_height(last), -0.01, 1e-6);
+  EXPECT_LE(lifter_height(last), -0.01 + 1e-6);
+  EXPECT_GT(lifter_height(last), -0.01 - 1e-4) << "a burr at the edge of the hollow goes at once";
   EXPECT_GT(plate_thickness(last), 0.0);
   EXPECT_NEAR(lifter_area(last), 0.0, 1e-15);
 }

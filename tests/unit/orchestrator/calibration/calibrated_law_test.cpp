@@ -76,7 +76,7 @@ class CalibratedCampaign : public testing::Test {
     return wear::evolve(
                std::vector<wear::TimedLoad>{
                    {0.0, liner,
-                    wear::rate_of_load(mill.wear, mill.charge.classes, load).smoothed.rate}},
+                    wear::rate_of_load(mill.wear, mill.charge.classes, liner, load).smoothed.rate}},
                lifter_area(mill.liner), mill.campaign)
         .steps;
   }
@@ -139,7 +139,7 @@ TEST_F(CalibratedCampaign, GivesTheCoefficientOfAMillTwiceAsFast) {
       EXPECT_NEAR(law.hours, 0.5 * hours, 0.02 * hours);
       EXPECT_NEAR(law.lifter_height, lifter_height(liners.back().profile), 1e-9);
       EXPECT_EQ(law.found.error_scale, 1.0);
-      EXPECT_LT(law.elsewhere, 1e-9);
+      EXPECT_LT(law.elsewhere, 1e-7);
     }
   }
 }

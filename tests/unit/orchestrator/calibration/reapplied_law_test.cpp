@@ -54,8 +54,9 @@ WallLoad two_places() {
 
 // 320 J at 1e-12 m3/J over 0.2 m of 12 lifters and 2 s.
 TEST(LawOnLoad, IsExactForAnotherCoefficient) {
-  const LawOnLoad law = law_on_load(mill_with({{WearLaw::archard, 1e-12}}),
-                                    mill_with({{WearLaw::archard, 3e-12}}), two_places());
+  const LawOnLoad law =
+      law_on_load(mill_with({{WearLaw::archard, 1e-12}}), mill_with({{WearLaw::archard, 3e-12}}),
+                  example_case().liner, two_places());
   EXPECT_NEAR(law.campaign_rate, 320e-12 / (0.2 * 12 * 2.0), 1e-24);
   EXPECT_NEAR(law.section_rate / law.campaign_rate, 3.0, 1e-14);
   EXPECT_EQ(law.elsewhere, 0.0);
@@ -66,16 +67,18 @@ TEST(LawOnLoad, IsExactForAnotherCoefficient) {
 // one bin beside a loaded stretch, so the two do not overlap.
 TEST(LawOnLoad, SeesThatAllWearFallsElsewhere) {
   const LawOnLoad law = law_on_load(mill_with({{WearLaw::archard, 1e-12}}),
-                                    mill_with({{WearLaw::incident_energy, 1e-12}}), two_places());
+                                    mill_with({{WearLaw::incident_energy, 1e-12}}),
+                                    example_case().liner, two_places());
   EXPECT_NEAR(law.section_rate / law.campaign_rate, 1.0, 1e-12);
   EXPECT_NEAR(law.elsewhere, 1.0, 1e-12);
 }
 
 // One part sliding and three parts impact; 3/4 of the wear is elsewhere.
 TEST(LawOnLoad, SharesTheWearAmongMechanisms) {
-  const LawOnLoad law = law_on_load(
-      mill_with({{WearLaw::archard, 1e-12}}),
-      mill_with({{WearLaw::archard, 1e-12}, {WearLaw::incident_energy, 3e-12}}), two_places());
+  const LawOnLoad law =
+      law_on_load(mill_with({{WearLaw::archard, 1e-12}}),
+                  mill_with({{WearLaw::archard, 1e-12}, {WearLaw::incident_energy, 3e-12}}),
+                  example_case().liner, two_places());
   EXPECT_NEAR(law.shares.at(0), 0.25, 1e-12);
   EXPECT_NEAR(law.shares.at(1), 0.75, 1e-12);
   EXPECT_NEAR(law.elsewhere, 0.75, 0.02);
@@ -83,8 +86,9 @@ TEST(LawOnLoad, SharesTheWearAmongMechanisms) {
 
 // Nothing rests on a measure that stays empty.
 TEST(LawOnLoad, WithoutWearHasNoShares) {
-  const LawOnLoad law = law_on_load(mill_with({{WearLaw::archard, 1e-12}}),
-                                    mill_with({{WearLaw::finnie, 1e-12}}), two_places());
+  const LawOnLoad law =
+      law_on_load(mill_with({{WearLaw::archard, 1e-12}}), mill_with({{WearLaw::finnie, 1e-12}}),
+                  example_case().liner, two_places());
   EXPECT_EQ(law.section_rate, 0.0);
   EXPECT_TRUE(std::isnan(law.elsewhere));
   EXPECT_TRUE(std::isnan(law.shares.front()));
@@ -92,7 +96,7 @@ TEST(LawOnLoad, WithoutWearHasNoShares) {
 
 wear::LoadRate rate_under(const std::vector<WearMechanism>& mechanisms) {
   const Case mill = mill_with(mechanisms);
-  return wear::rate_of_load(mill.wear, mill.charge.classes, two_places());
+  return wear::rate_of_load(mill.wear, mill.charge.classes, mill.liner, two_places());
 }
 
 // Corrosion is added after the smoothing: bins without contact lose exactly its rate, the others

@@ -28,8 +28,9 @@ SmoothedLoss smoothed_mean(const Eigen::MatrixXd& by_block) {
 
 /// Two bins: their errors are 3-4-5 triangles by hand.
 SmoothedLoss known_modes() {
-  SmoothedLoss loss{
-      {Eigen::Vector3d(0.0, 1.0, 2.0), Eigen::Vector2d(50.0, 10.0)}, 0.0, 1.0, {}, {}};
+  const Eigen::Vector2d rates(50.0, 10.0);
+  const Eigen::Vector2d as_the_bins(1.0, 1.0);
+  SmoothedLoss loss{{Eigen::Vector3d(0.0, 1.0, 2.0), rates}, as_the_bins, rates, 0.0, 1.0, {}, {}};
   loss.block_modes = Eigen::MatrixXd{{3.0, 0.0}, {0.0, 5.0}};
   loss.bias_modes = Eigen::MatrixXd{{4.0}, {12.0}};
   return loss;
@@ -41,6 +42,14 @@ TEST(SmoothingError, IsTheRootOfTheSumOfSquaredModes) {
   EXPECT_DOUBLE_EQ(error[1], 13.0);
 }
 
+// Over a way twice the bin the surface loses twice as much, with twice the error.
+TEST(SmoothingError, GoesWithTheWayOfTheCentre) {
+  SmoothedLoss loss = known_modes();
+  loss.path[1] = 2.0;
+  EXPECT_DOUBLE_EQ(standard_error(loss)[1], 26.0);
+  EXPECT_DOUBLE_EQ(peak_error(loss), 3.0 / 50.0);
+}
+
 // The second bin is no peak: it is below half of the first. The bias, 4, does not count.
 TEST(SmoothingError, OfThePeaksIsRelativeToThem) {
   EXPECT_DOUBLE_EQ(peak_error(known_modes()), 3.0 / 50.0);
@@ -48,7 +57,7 @@ TEST(SmoothingError, OfThePeaksIsRelativeToThem) {
 
 TEST(SmoothingError, TakesTheWorstPeak) {
   SmoothedLoss loss = known_modes();
-  loss.rate = {Eigen::VectorXd::LinSpaced(5, 0.0, 4.0), Eigen::Vector4d(50.0, 1.0, 26.0, 1.0)};
+  loss.per_path = Eigen::Vector4d(50.0, 1.0, 26.0, 1.0);
   loss.block_modes = Eigen::MatrixXd{{3.0, 0.0}, {0.0, 9.0}, {0.0, 13.0}, {0.0, 9.0}};
   loss.bias_modes = Eigen::MatrixXd::Zero(4, 0);
   EXPECT_DOUBLE_EQ(peak_error(loss), 0.5);
@@ -59,7 +68,8 @@ TEST(SmoothingError, IsUnknownFromOneBlock) {
   EXPECT_EQ(loss.block_modes.cols(), 0);
   EXPECT_TRUE(standard_error(loss).array().isNaN().all());
   EXPECT_TRUE(std::isnan(peak_error(loss)));
-  EXPECT_THROW(static_cast<void>(rate_replicates(loss, 3, 1)), InputError);
+  EXPECT_THROW(static_cast<void>(rate_replicates(loss, 3, 1, ReplicateOf::noise_and_bias)),
+               InputError);
 }
 
 // Smoothing neither makes nor hides what the blocks differ by in total.
@@ -104,7 +114,7 @@ TEST(SmoothingError, OfNoLossIsNone) {
 // Student's t of 7 degrees of freedom has the variance 7/5.
 TEST(RateReplicates, HaveTheCovarianceOfTheModes) {
   const auto loss = smoothed_mean(noisy_blocks(8, 5));
-  const Eigen::MatrixXd replicates = rate_replicates(loss, 20000, 9);
+  const Eigen::MatrixXd replicates = rate_replicates(loss, 20000, 9, ReplicateOf::noise_and_bias);
   const Eigen::VectorXd expected = 7.0 / 5.0 * loss.block_modes.rowwise().squaredNorm() +
                                    loss.bias_modes.rowwise().squaredNorm();
   const Eigen::VectorXd found = replicates.rowwise().squaredNorm() / 20000.0;
@@ -115,10 +125,11 @@ TEST(RateReplicates, HaveTheCovarianceOfTheModes) {
 
 TEST(RateReplicates, AreTheSameFromTheSameSeed) {
   const auto loss = smoothed_mean(noisy_blocks(5, 6));
-  const Eigen::MatrixXd ten = rate_replicates(loss, 10, 3);
-  EXPECT_EQ(ten, rate_replicates(loss, 10, 3));
-  EXPECT_LT((ten.leftCols(4) - rate_replicates(loss, 4, 3)).norm(), 1e-12 * ten.norm());
-  EXPECT_NE(ten, rate_replicates(loss, 10, 4));
+  const Eigen::MatrixXd ten = rate_replicates(loss, 10, 3, ReplicateOf::noise_and_bias);
+  EXPECT_EQ(ten, rate_replicates(loss, 10, 3, ReplicateOf::noise_and_bias));
+  EXPECT_LT((ten.leftCols(4) - rate_replicates(loss, 4, 3, ReplicateOf::noise_and_bias)).norm(),
+            1e-12 * ten.norm());
+  EXPECT_NE(ten, rate_replicates(loss, 10, 4, ReplicateOf::noise_and_bias));
 }
 
 }  // namespace

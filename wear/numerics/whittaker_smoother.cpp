@@ -1,4 +1,4 @@
-#include "wear/numerics/penalised_spline.h"
+#include "wear/numerics/whittaker_smoother.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,6 @@
 #include <limits>
 
 #include "mill/base/failure.h"
-#include "wear/numerics/spline_basis.h"
 
 namespace millwear::wear {
 namespace {
@@ -24,31 +23,40 @@ constexpr double least_roughness = 1e-14;
 }
 
 /// D^T D of the periodic second differences D.
-Eigen::MatrixXd periodic_penalty(Eigen::Index coefficients) {
-  Eigen::MatrixXd difference = Eigen::MatrixXd::Zero(coefficients, coefficients);
-  for (Eigen::Index j = 0; j < coefficients; ++j) {
-    difference(j, (j + coefficients - 1) % coefficients) += 1.0;
-    difference(j, j) -= 2.0;
-    difference(j, (j + 1) % coefficients) += 1.0;
+Eigen::MatrixXd penalty_of(const Eigen::VectorXd& spacing) {
+  const Eigen::Index n = spacing.size();
+  const double cube = std::pow(spacing.mean(), 3);
+  Eigen::MatrixXd penalty = Eigen::MatrixXd::Zero(n, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Eigen::Index before = (i + n - 1) % n;
+    const Eigen::Index at[] = {before, i, (i + 1) % n};
+    const double back = 1.0 / spacing[before];
+    const double on = 1.0 / spacing[i];
+    const double second[] = {back, -back - on, on};
+    const double scale = cube / (0.5 * (spacing[before] + spacing[i]));
+    for (int row = 0; row < 3; ++row)
+      for (int column = 0; column < 3; ++column)
+        penalty(at[row], at[column]) += scale * second[row] * second[column];
   }
-  return difference.transpose() * difference;
+  return penalty;
 }
 
-/// The shapes U that the penalty tells apart, U^T W U = 1, smoothest first; the first is constant.
+/// The shapes U that the penalty tells apart, U^T W U = 1, smoothest first; the constant has no
+/// roughness.
 struct Shapes {
   Eigen::MatrixXd at_bins;
   Eigen::VectorXd roughness;
 };
 
-Shapes shapes_of(const Eigen::MatrixXd& splines, const Eigen::VectorXd& weights) {
-  const Eigen::MatrixXd normal = splines.transpose() * weights.asDiagonal() * splines;
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(
-      periodic_penalty(splines.cols()), normal);
+Shapes shapes_of(const Eigen::VectorXd& spacing, const Eigen::VectorXd& weights) {
+  const Eigen::VectorXd scale = weights.cwiseSqrt().cwiseInverse();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(
+      scale.asDiagonal() * penalty_of(spacing) * scale.asDiagonal());
   if (solver.info() != Eigen::Success) refuse("its shapes cannot be told apart");
   const Eigen::VectorXd roughness = solver.eigenvalues();
-  Shapes shapes{splines * solver.eigenvectors(),
-                roughness.cwiseMax(least_roughness * roughness.maxCoeff())};
-  shapes.roughness[0] = 0.0;
+  const double least = least_roughness * roughness.maxCoeff();
+  Shapes shapes{scale.asDiagonal() * solver.eigenvectors(),
+                (roughness.array() > least).select(roughness, 0.0)};
   if (!shapes.at_bins.allFinite()) refuse("a shape is not finite");
   return shapes;
 }
@@ -61,8 +69,10 @@ Eigen::ArrayXd kept_at(const Eigen::VectorXd& roughness, double strength) {
 /// parabola through it and its two neighbours.
 template <typename Score>
 double best_strength(const Eigen::VectorXd& roughness, const Score& score) {
+  const double smoothest =
+      (roughness.array() > 0.0).select(roughness, roughness.maxCoeff()).minCoeff();
   const double from = -0.5 * std::log(roughness.maxCoeff() * beyond_the_shapes);
-  const double to = -0.5 * std::log(roughness[1] / beyond_the_shapes);
+  const double to = -0.5 * std::log(smoothest / beyond_the_shapes);
   const double step = (to - from) / (grid_of_strengths - 1);
   Eigen::VectorXd scores(grid_of_strengths);
   for (int i = 0; i < grid_of_strengths; ++i)
@@ -84,34 +94,32 @@ Eigen::MatrixXd bias_of(const Shapes& shapes, const Eigen::ArrayXd& kept,
   const Eigen::ArrayXd lost = (kept * (1.0 - kept)).max(0.0);
   const double weight = lost.sum();
   const double variance = weight > 0.0 ? (lost * noise).sum() / weight : 0.0;
-  const Eigen::Index rough = kept.size() - 1;
-  return shapes.at_bins.rightCols(rough) *
-         (variance * lost.tail(rough)).sqrt().matrix().asDiagonal();
+  return shapes.at_bins * (variance * lost).sqrt().matrix().asDiagonal();
 }
 
 }  // namespace
 
-LinearSmoother penalised_spline(const Eigen::VectorXd& values, const Eigen::VectorXd& weights,
-                                const Eigen::MatrixXd& deviations, Eigen::Index coefficients) {
+LinearSmoother whittaker_smoother(const Eigen::VectorXd& values, const Eigen::VectorXd& weights,
+                                  const Eigen::MatrixXd& deviations, const Eigen::VectorXd& spacing,
+                                  double least_strength) {
   const auto bins = static_cast<double>(values.size());
-  const Shapes shapes = shapes_of(periodic_splines(values.size(), coefficients), weights);
+  const Shapes shapes = shapes_of(spacing, weights);
   const Eigen::MatrixXd onto_shapes = shapes.at_bins.transpose() * weights.asDiagonal();
   const Eigen::ArrayXd found = (onto_shapes * values).array();
-  const double outside =
-      std::max(values.cwiseAbs2().dot(weights) - found.matrix().squaredNorm(), 0.0);
   const auto residual = [&](const Eigen::ArrayXd& kept) {
-    return outside + ((1.0 - kept) * found).square().sum();
+    return ((1.0 - kept) * found).square().sum();
   };
   double strength = best_strength(shapes.roughness, [&](const Eigen::ArrayXd& kept) {
     return residual(kept) / std::pow(bins - kept.sum(), 2);
   });
-  Eigen::ArrayXd noise = Eigen::ArrayXd::Zero(coefficients);
+  Eigen::ArrayXd noise = Eigen::ArrayXd::Zero(values.size());
   if (deviations.cols() > 0) {
     noise = (onto_shapes * deviations).rowwise().squaredNorm();
     strength = std::max(strength, best_strength(shapes.roughness, [&](const Eigen::ArrayXd& kept) {
                           return residual(kept) + 2.0 * (kept * noise).sum();
                         }));
   }
+  strength = std::max(strength, least_strength);
   const Eigen::ArrayXd kept = kept_at(shapes.roughness, strength);
   return {shapes.at_bins * kept.matrix().asDiagonal() * onto_shapes, strength,
           bias_of(shapes, kept, noise)};

@@ -1,0 +1,72 @@
+#include "tests/coverage/coverage.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "tests/support/temporary_folder.h"
+
+namespace millwear::orchestrator {
+namespace {
+
+/// Campaigns that lose the same in every hour, each its own share of 1 mm of height and plate and
+/// 1 cm3/m of volume an hour, and predict an error of `error` of that.
+Seeds even_campaigns(const std::vector<double>& shares, double error) {
+  Seeds seeds;
+  int seed = 0;
+  for (const double share : shares) {
+    ++seed;
+    for (const double hours : {0.0, 10.0, 100.0})
+      seeds.moments.push_back({seed, hours, 1.0 - 1e-3 * share * hours, 1e-3 * error * hours,
+                               2.0 - 1e-3 * share * hours, 1e-3 * error * hours,
+                               1e-6 * share * hours, 1e-6 * error * hours});
+    seeds.lives.push_back({seed, 100.0 / share, 100.0 - 1.96 * error, 100.0 + 1.96 * error});
+  }
+  return seeds;
+}
+
+// Shares 0.9, 1.0 and 1.1: at 50 h the volumes are 45, 50 and 55, with a standard deviation of 5.
+TEST(Coverage, IsThePredictedErrorOverTheScatter) {
+  const auto rows = coverage_of(even_campaigns({0.9, 1.0, 1.1}, 0.2));
+  const auto& volume = rows.at(1);
+  EXPECT_EQ(volume.measure, "volume, cm3/m");
+  EXPECT_DOUBLE_EQ(volume.hours, 50.0);
+  EXPECT_DOUBLE_EQ(volume.mean, 50.0);
+  EXPECT_NEAR(volume.scatter, 5.0, 1e-12);
+  EXPECT_NEAR(volume.predicted, 10.0, 1e-12);
+  EXPECT_NEAR(volume.ratio, 2.0, 1e-12);
+}
+
+// Three campaigns know their scatter to 1 / sqrt(2 * 2).
+TEST(Coverage, KnowsHowLittleAFewCampaignsTell) {
+  const auto rows = coverage_of(even_campaigns({0.9, 1.0, 1.1}, 0.2));
+  EXPECT_NEAR(rows.at(1).ratio_error, 2.0 * 0.5, 1e-12);
+}
+
+TEST(Coverage, HasFourAgesOfThreeMeasuresAndTheLife) {
+  const auto rows = coverage_of(even_campaigns({0.9, 1.0, 1.1}, 0.2));
+  ASSERT_EQ(rows.size(), 13U);
+  EXPECT_EQ(rows.at(4).measure, "height, mm");
+  EXPECT_NEAR(rows.at(11).scatter, 10.0, 1e-9);
+  EXPECT_EQ(rows.back().measure, "life, h");
+  EXPECT_TRUE(std::isnan(rows.back().hours));
+  EXPECT_NEAR(rows.back().predicted, 0.2, 1e-12);
+}
+
+TEST(Coverage, TakesThreeCampaigns) {
+  EXPECT_THROW(static_cast<void>(coverage_of(even_campaigns({0.9, 1.1}, 0.2))), std::logic_error);
+}
+
+TEST(Coverage, ReadsBackWhatIsKept) {
+  const TemporaryFolder folder;
+  const Seeds seeds = even_campaigns({0.9, 1.0, 1.1}, 0.2);
+  write_seeds(folder.path(), seeds);
+  const auto kept = coverage_of(read_seeds(folder.path()));
+  const auto made = coverage_of(seeds);
+  for (std::size_t i = 0; i < made.size(); ++i)
+    EXPECT_NEAR(kept.at(i).ratio, made.at(i).ratio, 1e-4) << made.at(i).measure;
+}
+
+}  // namespace
+}  // namespace millwear::orchestrator

@@ -1,5 +1,5 @@
 # millwear from the shell. `make help` says what there is.
-.PHONY: all build demo seed seed-check test unit sanitize check-style bench install clean help
+.PHONY: all build demo seed seed-check test unit sanitize coverage check-style bench install clean help
 
 PROGRAM := build/release/millwear
 DEMO_CASE := cases/pilot_mill/case.toml
@@ -43,6 +43,12 @@ sanitize: ## Unit tests under address and undefined-behaviour sanitizers; no two
 	@cmake --preset sanitize >/dev/null
 	@cmake --build --preset sanitize --target one_definition unit_tests
 	@scripts/run_sanitized_tests.sh build/sanitize/tests/unit
+
+coverage: ## Predicted errors against the scatter of the pilot mill's kept campaigns
+	@cmake --preset ci >/dev/null
+	@cmake --build --preset ci --target coverage_table coverage_test
+	@build/ci/tests/coverage/coverage_test --gtest_brief=1
+	@build/ci/tests/coverage/coverage_table cases/pilot_mill/coverage
 
 bench: ## Time the contact reader, a geometry step and publishing
 	@cmake --preset release -DMILLWEAR_TESTS=ON >/dev/null

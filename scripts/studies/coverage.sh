@@ -1,7 +1,7 @@
 #!/bin/sh
 # Campaigns of the pilot mill that differ in the seed of their packing alone, on one rank each, two at
 # a time. Runs what is missing in FOLDER, so the same command resumes it, and prints how the predicted
-# standard errors compare with the scatter. A campaign takes about ten minutes.
+# standard errors compare with the scatter. A campaign takes about eight minutes.
 #   scripts/studies/coverage.sh FOLDER [SEED...]      by default seeds 1 to 16
 set -eu
 here=$(cd "$(dirname "$0")/../.." && pwd)

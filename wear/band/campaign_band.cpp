@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "mill/liner/profile_measures.h"
+#include "wear/band/load_scatter.h"
 
 namespace millwear::wear {
 namespace {
@@ -42,12 +43,41 @@ LinerBand band_after(const LinerReplicates& liners, double time) {
   return band;
 }
 
+/// The cycles that the band of one looks at, all of them of its rotation: their liners are one that
+/// wears.
+struct Aside {
+  std::size_t first;
+  std::size_t last;
+};
+
+Aside aside_of(std::span<const WornCycle> cycles, std::size_t cycle) {
+  const auto is_one_liner = [&](std::size_t other) {
+    return cycles[other].rotation == cycles[cycle].rotation;
+  };
+  Aside aside{cycle, cycle};
+  while (aside.first > 0 && cycle - aside.first < band_looks_aside_before &&
+         is_one_liner(aside.first - 1))
+    --aside.first;
+  while (aside.last + 1 < cycles.size() && aside.last - cycle < band_looks_aside_after &&
+         is_one_liner(aside.last + 1))
+    ++aside.last;
+  return aside;
+}
+
 /// Between a load before the cycle's own and one after it: from one to the next, noise would hide
 /// the change.
-double growth_in(std::span<const WornCycle> cycles, std::size_t cycle) {
-  const std::size_t first = cycle - std::min(cycle, band_looks_aside_before);
-  const std::size_t last = std::min(cycle + band_looks_aside_after, cycles.size() - 1);
-  return first < last ? growth_between(cycles[first].load, cycles[last].load) : 0.0;
+Eigen::VectorXd growth_in(std::span<const WornCycle> cycles, std::size_t cycle) {
+  const auto [first, last] = aside_of(cycles, cycle);
+  if (first == last) return {};
+  return growth_between(cycles[first].load, cycles[last].load, cycles[cycle].load.profile);
+}
+
+/// How much more the loads about a cycle scatter than their blocks say.
+double scatter_in(std::span<const WornCycle> cycles, std::size_t cycle) {
+  const auto [first, last] = aside_of(cycles, cycle);
+  std::vector<const TimedLoad*> loads;
+  for (std::size_t i = first; i <= last; ++i) loads.push_back(&cycles[i].load);
+  return birge_ratio(loads);
 }
 
 }  // namespace
@@ -60,8 +90,9 @@ CycleBand band_of_cycle(std::span<const WornCycle> cycles, std::size_t i,
   std::vector<TimedLoad> loads;
   if (has_previous) loads.push_back(cycles[i - 1].load);
   loads.push_back(cycle.load);
-  const UncertainLoad load{LoadInTime(in_use(loads, scheme)), cycle.deviations,
-                           has_previous ? cycles[i - 1].deviations : Eigen::MatrixXd(),
+  const double scatter = scatter_in(cycles, i);
+  const UncertainLoad load{LoadInTime(in_use(loads, scheme)), scatter * cycle.deviations,
+                           has_previous ? scatter * cycles[i - 1].deviations : Eigen::MatrixXd(),
                            growth_in(cycles, i)};
   CycleBand band{{}, is_turned ? mirrored(before) : before};
   double time = cycle.load.time;

@@ -9,7 +9,6 @@
 #include "mill/liner/profile_measures.h"
 #include "mill/liner/rotation.h"
 #include "wear/numerics/arc_curve.h"
-#include "wear/numerics/block_means.h"
 #include "wear/surface/centre_path.h"
 #include "wear/surface/edges.h"
 
@@ -113,14 +112,6 @@ Eigen::MatrixXd levelled(const LinerProfile& profile, const Eigen::MatrixXd& dee
   return matrix.partialPivLu().solve(deeper);
 }
 
-/// Square of the relative standard error of a load's section rate.
-double relative_variance(const TimedLoad& load) {
-  if (load.by_block.cols() < 2) return 0.0;
-  const Eigen::MatrixXd totals = load.by_block.colwise().sum();
-  const double relative = error_of_mean(totals)[0] / totals.mean();
-  return relative * relative;
-}
-
 }  // namespace
 
 LinerReplicates same_liners(const LinerProfile& profile, Eigen::Index bins, Eigen::Index count) {
@@ -134,8 +125,8 @@ LinerReplicates worn(const LinerReplicates& before, const UncertainLoad& load, d
   const auto onto_current = load.load.carrier().onto_bins(before.profile, bins);
   const Eigen::VectorXd rate = onto_current * load.load.per_path(middle);
   Eigen::MatrixXd change = onto_current * load.load.sum(middle, load.newest, load.previous);
-  change += rate * (load.growth * sections_ahead(before)).transpose();
   change = centre_path(before.profile, bins, load.load.balls()).asDiagonal() * change;
+  if (load.growth.size() > 0) change += (onto_current * load.growth).asDiagonal() * before.deeper;
   const Eigen::MatrixXd deeper = levelled(before.profile, before.deeper + duration * change,
                                           duration * rate, load.load.balls().mean);
   const LoadCarrier along_surface(before.profile, bins);
@@ -147,13 +138,22 @@ LinerReplicates mirrored(const LinerReplicates& liners) {
           by_bin_as_turned(liners.deeper, Rotation::reversed)};
 }
 
-double growth_between(const TimedLoad& before, const TimedLoad& after) {
-  const double section = steel_area(before.profile) - steel_area(after.profile);
-  if (!(section > 0.0)) return 0.0;
-  const double change = std::log(section_rate(after) / section_rate(before));
-  const double noise = relative_variance(before) + relative_variance(after);
-  const double believed = change != 0.0 ? std::max(0.0, 1.0 - noise / (change * change)) : 0.0;
-  return believed * change / section;
+Eigen::VectorXd growth_between(const TimedLoad& before, const TimedLoad& after,
+                               const LinerProfile& liner) {
+  const auto on_liner = [&](const TimedLoad& load) -> Eigen::ArrayXd {
+    const Eigen::Index bins = load.rate.values.size();
+    return LoadCarrier(load.profile, bins).onto_bins(liner, bins) * per_path(load);
+  };
+  const Eigen::ArrayXd first = on_liner(before);
+  const Eigen::ArrayXd last = on_liner(after);
+  const ZonedLoad first_zones = zoned(before, liner);
+  const ZonedLoad last_zones = zoned(after, liner);
+  const double change = (last_zones.rate - first_zones.rate).squaredNorm();
+  const double noise = (first_zones.variance + last_zones.variance).sum();
+  const double believed = change > 0.0 ? std::max(0.0, 1.0 - noise / change) : 0.0;
+  const Eigen::ArrayXd mean = 0.5 * (first + last);
+  const Eigen::ArrayXd growth = (last - first) / mean / (after.time - before.time);
+  return (mean > 0.0).select(believed * growth, 0.0);
 }
 
 Eigen::VectorXd lifter_heights(const LinerReplicates& liners) {

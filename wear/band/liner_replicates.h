@@ -24,25 +24,29 @@ struct UncertainLoad {
   LoadInTime load;
   Eigen::MatrixXd newest;    ///< bins x replicates [m/s]: deviations of the newest load's rate
   Eigen::MatrixXd previous;  ///< likewise of the load before; not looked at where there is none
-  double growth;             ///< d ln(rate) / d(worn section) [1/m2], of the liner as it wears
+  /// By bins of the newest load's liner: how fast the rate grows there, d ln(rate) / dt [1/s].
+  Eigen::VectorXd growth;
 };
 
 /// The replicates after a geometry step that took `duration` [s] from `start` [s] and left the
 /// predicted liner as `after`. Replicate r deepens by
-///     d' = e_r(s, t) + v(s, t) growth a_r,     a_r = int d ds,
-/// e_r its deviation from the rate v: what is ahead by a section a_r wears at the rate that the
-/// liner comes to when it has lost as much more. It is linear, so deviations that sum to zero along
-/// the profile take no section; where little wears a replicate's rate may be below zero.
-/// Displacements are carried along with the surface (`LoadCarrier`).
+///     d' = path e_r(s, t) + growth d + f r (d2d/ds2 + kappa^2 d),
+/// e_r its deviation from the rate f of a flat. What is ahead by d has the rate that the place
+/// comes to when it has lost as much more; the last term is what balls of radius r do to a surface
+/// that is displaced by d (wear/evolve/surface_loss.h). It is linear, so where little wears a
+/// replicate's rate may be below zero. Displacements are carried along with the surface
+/// (`LoadCarrier`).
 [[nodiscard]] LinerReplicates worn(const LinerReplicates& before, const UncertainLoad& load,
                                    double start, double duration, const LinerProfile& after);
 
 /// The same liners as a reversed mill turns them (mill/liner/rotation.h).
 [[nodiscard]] LinerReplicates mirrored(const LinerReplicates& liners);
 
-/// Growth of the rate between two loads, d ln(rate) / d(worn section) [1/m2], with the share of the
-/// change that its noise explains left out (as in `LoadInTime`). Zero where no steel went between.
-[[nodiscard]] double growth_between(const TimedLoad& before, const TimedLoad& after);
+/// Growth of the rate between two loads by bins of a liner between theirs, 2 (f2 - f1) / (f1 + f2)
+/// over the time between them [1/s], with the share of the change that its noise explains left out
+/// (as in `LoadInTime`).
+[[nodiscard]] Eigen::VectorXd growth_between(const TimedLoad& before, const TimedLoad& after,
+                                             const LinerProfile& liner);
 
 /// Lifter height and least plate thickness of every replicate [m], as `lifter_height` and
 /// `plate_thickness` are of the predicted liner.

@@ -31,7 +31,7 @@ LoadInTime::LoadInTime(std::span<const TimedLoad> loads)
       carrier_(newest_.profile, newest_.rate.values.size()) {
   if (loads.size() < 2) return;
   previous_ = loads[loads.size() - 2];
-  previous_per_path_ = rolling_of(*previous_).per_path;
+  previous_per_path_ = wear::per_path(*previous_);
   expect(previous_->time < newest_.time, "the times of a liner's loads increase");
   previous_onto_newest_ = LoadCarrier(previous_->profile, previous_->rate.values.size())
                               .onto_bins(newest_.profile, newest_.rate.values.size());

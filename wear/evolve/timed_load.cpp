@@ -27,6 +27,10 @@ std::vector<Eigen::Index> zones_of_bins(const TimedLoad& load, const LinerProfil
 
 }  // namespace
 
+const Eigen::VectorXd& per_path(const TimedLoad& load) {
+  return load.rolling ? load.rolling->per_path : load.rate.values;
+}
+
 double section_rate(const TimedLoad& load) {
   return load.rate.values.sum() * load.rate.bin_width();
 }

@@ -28,6 +28,9 @@ struct TimedLoad {
   std::optional<Rolling> rolling{};
 };
 
+/// Depth rate of a flat surface under a load, by its bins [m/s].
+[[nodiscard]] const Eigen::VectorXd& per_path(const TimedLoad& load);
+
 /// Section of steel that a load takes per second [m2/s].
 [[nodiscard]] double section_rate(const TimedLoad& load);
 

@@ -60,7 +60,7 @@ TEST(LinerReplicates, AreWhatOtherRatesWouldHaveWorn) {
   const double duration = 1e7;
   const auto predicted = for_a_time(profile, rate, duration);
   const std::vector<TimedLoad> loads{{0.0, profile, rate}};
-  const UncertainLoad load{LoadInTime(loads), deviations, {}, 0.0};
+  const UncertainLoad load{LoadInTime(loads), deviations, {}, {}};
   auto liners = same_liners(profile, bins, count);
   double time = 0.0;
   for (const auto& step : predicted.steps) {
@@ -88,8 +88,11 @@ TEST(LinerReplicates, OfAnExactLoadAreThePrediction) {
   const auto step = for_a_time(profile, rate, 2e6).steps.front();
   const std::vector<TimedLoad> loads{{0.0, profile, rate}};
   const auto liners = worn(same_liners(profile, bins, 3),
-                           {LoadInTime(loads), Eigen::MatrixXd::Zero(bins, 3), {}, 5.0}, 0.0,
-                           step.duration, step.profile);
+                           {LoadInTime(loads),
+                            Eigen::MatrixXd::Zero(bins, 3),
+                            {},
+                            Eigen::VectorXd::Constant(bins, 1e-7)},
+                           0.0, step.duration, step.profile);
   EXPECT_EQ(liners.deeper.cwiseAbs().maxCoeff(), 0.0);
   EXPECT_DOUBLE_EQ(lifter_heights(liners)[1], lifter_height(step.profile));
 }

@@ -121,7 +121,7 @@ TEST_F(FinishedCampaign, IsKeptFromAnotherCase) {
 // It ended in the middle of a load's steps. That load wears the liner anew, to the lower limit.
 TEST_F(FinishedCampaign, GoesOnToALowerLimitAsIfThatHadBeenGivenFromTheStart) {
   std::string text = text_of(case_file);
-  text.replace(text.find("plate_limit_m = 0.0065"), 22, "plate_limit_m = 0.0080");
+  text.replace(text.find("plate_limit_m = 0.0070"), 22, "plate_limit_m = 0.0080");
   const fs::path higher = folder.path() / "higher.toml";
   put_text(higher, text);
   const fs::path short_run = folder.path() / "short";

@@ -55,7 +55,8 @@ std::vector<SurfacePlace> surface_of(const LinerReplicates& liners) {
          Eigen::Vector2d::Zero()});
   }
   for (const Edge& edge : edges_of(liners.profile, width, least_edge)) {
-    if (edge.turn > 0.0) continue;
+    const bool is_foot = edge.turn < 0.0;
+    if (is_foot) continue;
     const double s = edge.arc_length;
     const auto beside = bins_beside(s, width, liners.deeper.rows());
     Eigen::Matrix2d normals;

@@ -28,11 +28,12 @@ class Walk {
         static_cast<int>(pitch));
   }
 
+  /// > 0 on a crest.
   [[nodiscard]] double turn(double arc_length, double window) const {
     const Eigen::Vector2d here = place(arc_length);
     const Eigen::Vector2d before = here - place(arc_length - window);
     const Eigen::Vector2d after = place(arc_length + window) - here;
-    return std::atan2(before.x() * after.y() - before.y() * after.x(), before.dot(after));
+    return std::atan2(before.y() * after.x() - before.x() * after.y(), before.dot(after));
   }
 
  private:
@@ -71,7 +72,7 @@ Eigen::VectorXd curvature_along(const LinerProfile& profile, Eigen::Index bins, 
   const Walk walk(profile);
   const double width = walk.length() / static_cast<double>(bins);
   return Eigen::VectorXd::NullaryExpr(bins, [&](Eigen::Index bin) {
-    return -walk.turn((static_cast<double>(bin) + 0.5) * width, window) / window;
+    return walk.turn((static_cast<double>(bin) + 0.5) * width, window) / window;
   });
 }
 

@@ -9,7 +9,7 @@ namespace millwear::wear {
 /// A place where a liner's surface turns: an edge, or a foot.
 struct Edge {
   double arc_length;  ///< [m], 0 ... length
-  double turn;        ///< of the surface along the rotation [rad]: < 0 at an edge, > 0 at a foot
+  double turn;        ///< of the surface [rad]: > 0 at an edge, < 0 at a foot
 };
 
 /// Where the chord of `window` [m] after a node turns by `least_turn` [rad] or more against that

@@ -20,7 +20,7 @@ TEST(Edges, OfASquareLifterAreItsCornersAndFeet) {
   const auto edges = edges_of(lifter, window, turn);
   ASSERT_EQ(edges.size(), 4u);
   const double quarter = std::numbers::pi / 2.0;
-  const double turns[] = {quarter, -quarter, -quarter, quarter};
+  const double turns[] = {-quarter, quarter, quarter, -quarter};
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_NEAR(edges[i].arc_length, lengths[i + 2], 1e-12);
     EXPECT_NEAR(edges[i].turn, turns[i], 1e-12);
@@ -52,6 +52,14 @@ TEST(Edges, VanishAsTheyWearRound) {
   const auto corner =
       arc_lengths(square_lifter())[4] - 0.3 * limit * (1.0 - std::numbers::pi / 4.0);
   EXPECT_NEAR(edges[2].arc_length, corner, 0.15 * limit);
+}
+
+// A hollow ring of radius R, on chords of a twentieth of it.
+TEST(Curvature, OfAHollowRingIsNegative) {
+  const auto ring = bare_ring(1.0, 400);
+  const Eigen::VectorXd curvature = curvature_along(ring, 50, 0.05);
+  EXPECT_NEAR(curvature.mean(), -1.0, 1e-3);
+  EXPECT_NEAR(curvature.maxCoeff(), -1.0, 0.02);
 }
 
 TEST(Edges, TakeAWindowAndATurn) {

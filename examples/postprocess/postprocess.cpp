@@ -83,8 +83,7 @@ void postprocess(const std::filesystem::path& contacts, const std::filesystem::p
   const WallLoad load = load_on(liner, read_contacts(contacts));
   const wear::LoadRate rate = wear::rate_of_load(wear_settings, charge, liner, load);
   const std::vector<wear::TimedLoad> loads = {
-      {0.0, liner, rate.smoothed.rate, rate.by_block,
-       wear::Rolling{rate.smoothed.path, rate.smoothed.per_path, rate.balls, rate.corrosion}}};
+      {0.0, liner, rate.smoothed.rate, rate.by_block, wear::rolling_of(rate)}};
   const auto steps = wear::evolve(loads, lifter_area(liner), until).steps;
 
   double hours = 0.0;

@@ -27,6 +27,11 @@ void serialize(Archive& archive, RollingBalls& value) {
 }
 
 template <class Archive>
+void serialize(Archive& archive, Rolling& value) {
+  archive(value.path, value.per_path, value.balls, value.corrosion);
+}
+
+template <class Archive>
 void serialize(Archive& archive, PackedDataset& value) {
   archive(value.name, value.unit, value.sizes, value.bytes);
 }
@@ -64,9 +69,9 @@ void serialize(Archive& archive, Impacts& value) {
 
 template <class Archive>
 void serialize(Archive& archive, CycleLoad& value) {
-  archive(value.smoothed, value.by_block, value.balls, value.corrosion, value.worn_by_load,
-          value.block_count, value.path_over_slip, value.bins, value.along, value.impacts,
-          value.hit_power, value.spectrum_lines);
+  archive(value.smoothed, value.by_block, value.rolling, value.worn_by_load, value.block_count,
+          value.path_over_slip, value.bins, value.along, value.impacts, value.hit_power,
+          value.spectrum_lines);
 }
 
 namespace {
@@ -83,13 +88,12 @@ CycleLoad worked_out(const Campaign& campaign, int cycle) {
   const auto bins = wear::packed({cycle, wear::coarsened(record.load, wear::cells_per_bin)});
   return {.smoothed = rate.smoothed,
           .by_block = rate.by_block,
-          .balls = rate.balls,
-          .corrosion = rate.corrosion,
+          .rolling = wear::rolling_of(rate),
           .worn_by_load = rate.raw.dot(rate.load.bin_widths()),
           .block_count = static_cast<int>(record.load.block_count),
           .path_over_slip = path_over_slip(record.load),
           .bins = bins,
-          .along = load_along_profile(mill, cycle, liner, rate),
+          .along = load_along_profile(cycle, rate),
           .impacts = impacts_of(cycle, record, mill),
           .hit_power = hit_power(record),
           .spectrum_lines = spectrum_lines(spectrum_rows(cycle, record, class_names(mill)))};
@@ -111,8 +115,7 @@ CycleLoad load_of_cycle(const Campaign& campaign, int cycle) {
 }
 
 wear::TimedLoad timed_load(double time, const LinerProfile& dem_liner, const CycleLoad& load) {
-  return {time, dem_liner, load.smoothed.rate, load.by_block,
-          wear::Rolling{load.smoothed.path, load.smoothed.per_path, load.balls, load.corrosion}};
+  return {time, dem_liner, load.smoothed.rate, load.by_block, load.rolling};
 }
 
 }  // namespace millwear::orchestrator

@@ -17,8 +17,7 @@ namespace millwear::orchestrator {
 struct CycleLoad {
   wear::SmoothedLoss smoothed;
   Eigen::MatrixXd by_block;  ///< of `wear::LoadRate`
-  wear::RollingBalls balls;
-  double corrosion;        ///< depth lost everywhere [m/s]
+  wear::Rolling rolling;
   double worn_by_load;     ///< rate of loss summed over the bins of the raw load [m2/s]
   int block_count;         ///< time blocks of the measurement
   double path_over_slip;   ///< see `millwear::path_over_slip`

@@ -30,20 +30,18 @@ LoadLine rate_line(const WallLoad& load, Measure measure, const Eigen::ArrayXd& 
 
 }  // namespace
 
-LoadAlongProfile load_along_profile(const Case& mill, int cycle, const LinerProfile& dem_liner,
-                                    const wear::LoadRate& rate) {
+LoadAlongProfile load_along_profile(int cycle, const wear::LoadRate& rate) {
   const auto& load = rate.load;
   const Eigen::VectorXd widths = load.bin_widths();
-  const auto how = wear::smoothing_of(mill.wear, mill.charge.classes, dem_liner, rate.balls);
   const Eigen::ArrayXd surface_time =
       load.bin_area().array() * static_cast<double>(load.rows) * load.duration;
   return {cycle,
           as_vector(load.bin_edges.head(load.bins()) + 0.5 * widths),
           as_vector(widths),
           {},
-          rate_line(load, Measure::samples, widths.array(), how),
-          rate_line(load, Measure::normal_dissipation, surface_time, how),
-          rate_line(load, Measure::sliding_work, surface_time, how),
+          rate_line(load, Measure::samples, widths.array(), rate.how),
+          rate_line(load, Measure::normal_dissipation, surface_time, rate.how),
+          rate_line(load, Measure::sliding_work, surface_time, rate.how),
           {as_vector(rate.raw),
            {},
            as_vector(rate.smoothed.rate.values),

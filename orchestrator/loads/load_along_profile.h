@@ -28,8 +28,6 @@ struct LoadAlongProfile {
 };
 
 /// The measures of a load, smoothed like its loss; `centres` is left empty, for it takes the liner.
-[[nodiscard]] LoadAlongProfile load_along_profile(const Case& mill, int cycle,
-                                                  const LinerProfile& dem_liner,
-                                                  const wear::LoadRate& rate);
+[[nodiscard]] LoadAlongProfile load_along_profile(int cycle, const wear::LoadRate& rate);
 
 }  // namespace millwear::orchestrator

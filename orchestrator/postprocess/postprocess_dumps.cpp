@@ -35,8 +35,7 @@ PostprocessedDumps postprocess_dumps(const Case& mill, const LinerProfile& deck_
   const wear::LoadRate rate =
       wear::rate_of_load(mill.wear, mill.charge.classes, deck_liner, load.record.load);
   const std::vector<wear::TimedLoad> loads = {
-      {0.0, deck_liner, rate.smoothed.rate, rate.by_block,
-       wear::Rolling{rate.smoothed.path, rate.smoothed.per_path, rate.balls, rate.corrosion}}};
+      {0.0, deck_liner, rate.smoothed.rate, rate.by_block, wear::rolling_of(rate)}};
   const auto evolution = wear::evolve(loads, lifter_area(mill.liner), mill.campaign, longest);
   const KeptCycle cycle = kept(rate, evolution);
   PostprocessedDumps result{.first_step = load.outline.steps.front(),

@@ -14,19 +14,10 @@ constexpr double reach_in_bins = 4.0;
 constexpr double same_way = 0.5;
 constexpr double edge_from = std::numbers::pi / 7.2;
 
-std::size_t segment_at(const std::vector<double>& lengths, double arc_length) {
-  const auto above = std::upper_bound(lengths.begin() + 1, lengths.end() - 1, arc_length);
-  return static_cast<std::size_t>(above - lengths.begin()) - 1;
-}
-
-double wrapped(double arc_length, double length) {
-  return arc_length - length * std::floor(arc_length / length);
-}
-
 /// Direction of a profile at an arc length.
 Eigen::Vector2d along_at(const LinerProfile& profile, const std::vector<double>& lengths,
                          double arc_length) {
-  const auto i = segment_at(lengths, wrapped(arc_length, lengths.back()));
+  const auto i = segment_at(lengths, on_one_pitch(arc_length, lengths.back()));
   return (profile.nodes[i + 1] - profile.nodes[i]).normalized();
 }
 
@@ -112,18 +103,10 @@ BinsBeside LoadCarrier::bins_of(double arc_length) const {
   const double left_centre = (static_cast<double>(between.left) + 0.5) * width_;
   const double way = between.share * width_;
   for (const Edge& edge : edges_) {
-    const double to_edge = wrapped(edge.arc_length - left_centre, length);
+    const double to_edge = on_one_pitch(edge.arc_length - left_centre, length);
     if (to_edge < width_) between.share = way < to_edge ? 0.0 : 1.0;
   }
   return between;
-}
-
-Eigen::Vector2d place_at(const LinerProfile& profile, const std::vector<double>& lengths,
-                         double arc_length) {
-  const double here = wrapped(arc_length, lengths.back());
-  const auto i = segment_at(lengths, here);
-  const double share = (here - lengths[i]) / (lengths[i + 1] - lengths[i]);
-  return profile.nodes[i] + share * (profile.nodes[i + 1] - profile.nodes[i]);
 }
 
 }  // namespace millwear::wear

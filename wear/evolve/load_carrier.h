@@ -6,6 +6,7 @@
 #include "wear/evolve/loss_nodes.h"
 #include "wear/numerics/arc_curve.h"
 #include "wear/record/profile_index.h"
+#include "wear/surface/along_profile.h"
 #include "wear/surface/edges.h"
 
 namespace millwear::wear {
@@ -49,9 +50,5 @@ class LoadCarrier {
   std::vector<Edge> edges_;
   ProfileIndex index_;
 };
-
-/// The place of a profile at an arc length [m], taken modulo the length of the pitch.
-[[nodiscard]] Eigen::Vector2d place_at(const LinerProfile& profile,
-                                       const std::vector<double>& arc_lengths, double arc_length);
 
 }  // namespace millwear::wear

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "wear/surface/along_profile.h"
+
 namespace millwear::wear {
 namespace {
 
@@ -21,11 +23,6 @@ struct Stretch {
 Eigen::Vector2d inward_normal(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
   const Eigen::Vector2d along = (to - from).normalized();
   return {along.y(), -along.x()};
-}
-
-/// The angle by which two inward normals diverge [rad], negative where they converge.
-double divergence(const Eigen::Vector2d& first, const Eigen::Vector2d& second) {
-  return std::atan2(first.x() * second.y() - first.y() * second.x(), first.dot(second));
 }
 
 Eigen::Vector2d mitre(const Eigen::Vector2d& first, const Eigen::Vector2d& second) {
@@ -55,7 +52,7 @@ std::vector<LossNode> loss_nodes(const LinerProfile& profile, double resolution,
     const Eigen::Vector2d along = profile.nodes[i + 1] - profile.nodes[i];
     const double length = along.norm();
     const bool is_edge =
-        i > 0 && divergence(profile.nodes[i] - profile.nodes[i - 1], along) < -least_edge;
+        i > 0 && turn_between(profile.nodes[i] - profile.nodes[i - 1], along) < -least_edge;
     if (is_edge) {
       nodes.push_back({profile.nodes[i], depth_at(arc_length - aside)});
       nodes.push_back({profile.nodes[i], depth_at(arc_length + aside)});
@@ -108,7 +105,7 @@ std::vector<Polygon> swept_region(const std::vector<LossNode>& nodes) {
           {&nodes[i], &nodes[i + 1], inward_normal(nodes[i].position, nodes[i + 1].position)});
   std::vector<double> angles(stretches.size() + 1, 0.0);
   for (std::size_t i = 1; i < stretches.size(); ++i)
-    angles[i] = divergence(stretches[i - 1].normal, stretches[i].normal);
+    angles[i] = turn_between(stretches[i - 1].normal, stretches[i].normal);
   const auto is_mitred = [&](std::size_t i) { return angles[i] > 0.0 && angles[i] < widest_mitre; };
   for (std::size_t i = 0; i < stretches.size(); ++i) {
     const auto& [here, next, normal] = stretches[i];

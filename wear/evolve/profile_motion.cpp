@@ -327,8 +327,9 @@ MovedProfile move_profile(const LinerProfile& profile, const std::vector<LossNod
   }
 
   const auto nodes = over_three_pitches(sector, loss);
-  const Points old_surface =
-      positions(over_three_pitches(sector, loss_nodes(profile, 1e9, [](double) { return 0.0; })));
+  std::vector<LossNode> corners;
+  for (const auto& node : profile.nodes) corners.push_back({node, 0.0});
+  const Points old_surface = positions(over_three_pitches(sector, corners));
   const Points surface = with_loss_nodes(old_surface, nodes);
   const Points bottom = bottom_under(profile);
   const auto take = [&](double scale) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "mill/base/failure.h"
+#include "wear/surface/along_profile.h"
 #include "wear/surface/closing.h"
 
 namespace millwear::wear {
@@ -68,8 +69,7 @@ Eigen::VectorXd turns_of(const LinerSector& sector, const std::vector<LossNode>&
   for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
     const Eigen::Vector2d along = nodes[i + 1].position - nodes[i].position;
     if (along.norm() == 0.0) continue;
-    turns[static_cast<Eigen::Index>(i)] =
-        -std::atan2(last.x() * along.y() - last.y() * along.x(), last.dot(along));
+    turns[static_cast<Eigen::Index>(i)] = -turn_between(last, along);
     last = along;
   }
   return turns;

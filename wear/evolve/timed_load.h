@@ -8,14 +8,6 @@
 
 namespace millwear::wear {
 
-/// A load of balls that roll over the liner: rate = path * per_path + corrosion.
-struct Rolling {
-  Eigen::VectorXd path;      ///< by bins, wear/surface/centre_path.h
-  Eigen::VectorXd per_path;  ///< rate of a flat surface, by bins [m/s]
-  RollingBalls balls;
-  double corrosion = 0.0;  ///< depth rate, the same everywhere [m/s]
-};
-
 /// A measured load: the rate at which it wears the liner that it was measured on.
 struct TimedLoad {
   double time;           ///< of milling since the liner was new, when it was measured [s]

@@ -7,6 +7,7 @@
 #include "wear/record/load_accumulator.h"
 
 namespace millwear::wear {
+namespace {
 
 RollingBalls balls_of(const WearSettings& settings, const std::vector<ParticleClass>& classes,
                       const WallLoad& load) {
@@ -26,9 +27,10 @@ RollingBalls balls_of(const WearSettings& settings, const std::vector<ParticleCl
           sum > 0.0 ? moment / sum : smallest};
 }
 
-Smoothing smoothing_of(const WearSettings& settings, const std::vector<ParticleClass>& classes,
-                       const LinerProfile& liner, const RollingBalls& balls) {
-  return {settings.smoothing, smallest_diameter(classes), centre_path(liner, settings.bins, balls)};
+}  // namespace
+
+Rolling rolling_of(const LoadRate& rate) {
+  return {rate.smoothed.path, rate.smoothed.per_path, rate.balls, rate.corrosion};
 }
 
 LoadRate rate_of_load(const WearSettings& settings, const std::vector<ParticleClass>& classes,
@@ -39,13 +41,15 @@ LoadRate rate_of_load(const WearSettings& settings, const std::vector<ParticleCl
   const double corrosion = std::exchange(by_contact.corrosion, 0.0);
   const Eigen::VectorXd raw = depth_rate(by_contact, load);
   const Eigen::MatrixXd by_block = as_independent(depth_rate_by_block(by_contact, load));
-  auto smooth =
-      smoothed(load.bin_edges, raw, by_block, smoothing_of(settings, classes, liner, balls));
+  const Smoothing how{settings.smoothing, smallest_diameter(classes),
+                      centre_path(liner, settings.bins, balls)};
+  auto smooth = smoothed(load.bin_edges, raw, by_block, how);
   if (corrosion > 0.0) {
     smooth.rate.values.array() += corrosion;
     smooth.moved_share *= raw.sum() / smooth.rate.values.sum();
   }
-  return {load,     raw.array() + corrosion, by_block.array() + corrosion, std::move(smooth), balls,
+  return {load,     raw.array() + corrosion, by_block.array() + corrosion,
+          how,      std::move(smooth),       balls,
           corrosion};
 }
 

@@ -17,22 +17,17 @@ struct LoadRate {
   /// The same from each time block, bins x blocks, scattered as independent ones
   /// (`as_independent`).
   Eigen::MatrixXd by_block;
+  Smoothing how;          ///< by the settings' method, along the way of the balls' centres, and no
+                          ///< finer than the diameter of the smallest particle
   SmoothedLoss smoothed;  ///< the same, smoothed along the profile, with its errors
+  /// The smallest of the charge, whose closing of the liner wears, or none where shadowed steel is
+  /// kept; and the mean, each class weighted with what it wears.
   RollingBalls balls;
   double corrosion;  ///< part of all rates but of `smoothed.per_path` [m/s]
 };
 
-/// The balls of a load: the smallest of the charge, whose closing of the liner wears, or none where
-/// shadowed steel is kept; and the mean, each class weighted with what it wears.
-[[nodiscard]] RollingBalls balls_of(const WearSettings& settings,
-                                    const std::vector<ParticleClass>& classes,
-                                    const WallLoad& load);
-
-/// How a load of these balls on a liner is smoothed: by the settings' method along the way of their
-/// centres, and resolved no finer than the diameter of the smallest particle.
-[[nodiscard]] Smoothing smoothing_of(const WearSettings& settings,
-                                     const std::vector<ParticleClass>& classes,
-                                     const LinerProfile& liner, const RollingBalls& balls);
+/// The load as balls that roll over the liner, for a `TimedLoad`.
+[[nodiscard]] Rolling rolling_of(const LoadRate& rate);
 
 /// Lays the settings' bins on the load recorded on a liner, applies their mechanisms and smooths
 /// the loss that goes with contacts. Corrosion is the same everywhere, has no error, and is added

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "wear/surface/along_profile.h"
 #include "wear/surface/closing.h"
 
 namespace millwear::wear {
@@ -27,9 +28,8 @@ Eigen::VectorXd centre_path(const LinerProfile& liner, Eigen::Index bins,
   for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
     const Eigen::Vector2d along = nodes[i + 1] - nodes[i];
     if (!(along.norm() > 0.0)) continue;
-    const double turn = std::atan2(last.x() * along.y() - last.y() * along.x(), last.dot(along));
     const auto bin = std::min(static_cast<Eigen::Index>(lengths[i] / width), bins - 1);
-    path[bin] -= balls.mean * turn / width;
+    path[bin] -= balls.mean * turn_between(last, along) / width;
     last = along;
   }
   path = path.cwiseMax(0.0);

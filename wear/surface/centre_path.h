@@ -12,6 +12,14 @@ struct RollingBalls {
   double mean;   ///< radius, weighted with the load [m]; 0: points, which turn about no edge
 };
 
+/// A load of balls that roll over the liner: rate = path * per_path + corrosion.
+struct Rolling {
+  Eigen::VectorXd path;      ///< by bins, wear/surface/centre_path.h
+  Eigen::VectorXd per_path;  ///< rate of a flat surface, by bins [m/s]
+  RollingBalls balls;
+  double corrosion = 0.0;  ///< depth rate, the same everywhere [m/s]
+};
+
 /// The way of the mean ball's centre while it rolls over each of `bins` even bins of a liner, over
 /// the bin's width [-]: 1 on a flat, 1 + r / R on a crest of radius R, 1 - r / R in a hollow, much
 /// where an edge lies in the bin, and 0 in the shadow of the smallest ball

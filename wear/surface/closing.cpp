@@ -7,6 +7,7 @@
 
 #include "mill/base/contract.h"
 #include "wear/record/profile_index.h"
+#include "wear/surface/along_profile.h"
 
 namespace millwear::wear {
 namespace {
@@ -17,14 +18,6 @@ constexpr double widest_facet = std::numbers::pi / 18.0;
 constexpr double reach_in_radii = 1.1;
 constexpr int bisections = 24;
 constexpr double same_place = 1e-9;
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
-double turn_of(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
-  return std::atan2(cross(from, to), from.dot(to));
-}
 
 Eigen::Vector2d turned(const Eigen::Vector2d& vector, double angle) {
   return Eigen::Rotation2Dd(angle) * vector;
@@ -55,7 +48,7 @@ std::vector<Piece> pieces_of(const LinerProfile& profile) {
     const Eigen::Vector2d along = nodes[i + 1] - nodes[i];
     if (!(along.norm() > 0.0)) continue;
     const Eigen::Vector2d direction = along.normalized();
-    const double turn = turn_of(last, direction);
+    const double turn = turn_between(last, direction);
     const Eigen::Vector2d normal(-direction.y(), direction.x());
     if (turn < 0.0)
       pieces.push_back(
@@ -130,7 +123,7 @@ std::vector<Sample> samples_on(const std::vector<Piece>& pieces, const Ball& bal
 std::vector<Eigen::Vector2d> arc_between(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
                                          const Eigen::Vector2d& centre) {
   const Eigen::Vector2d first = from - centre;
-  const double angle = turn_of(first, to - centre);
+  const double angle = turn_between(first, to - centre);
   const int facets = std::max(1, static_cast<int>(std::ceil(std::abs(angle) / widest_facet)));
   std::vector<Eigen::Vector2d> nodes;
   for (int i = 1; i < facets; ++i) nodes.push_back(centre + turned(first, angle * i / facets));

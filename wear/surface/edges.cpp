@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mill/base/contract.h"
+#include "wear/surface/along_profile.h"
 
 namespace millwear::wear {
 namespace {
@@ -17,15 +18,8 @@ class Walk {
   [[nodiscard]] const std::vector<double>& nodes() const { return lengths_; }
 
   [[nodiscard]] Eigen::Vector2d place(double arc_length) const {
-    const double pitch = std::floor(arc_length / length());
-    const double here = arc_length - pitch * length();
-    const auto after = std::upper_bound(lengths_.begin() + 1, lengths_.end() - 1, here);
-    const auto i = static_cast<std::size_t>(after - lengths_.begin());
-    const double share = (here - lengths_[i - 1]) / (lengths_[i] - lengths_[i - 1]);
-    return shifted_by_pitches(
-        profile_.sector,
-        profile_.nodes[i - 1] + share * (profile_.nodes[i] - profile_.nodes[i - 1]),
-        static_cast<int>(pitch));
+    const int pitch = static_cast<int>(std::floor(arc_length / length()));
+    return shifted_by_pitches(profile_.sector, place_at(profile_, lengths_, arc_length), pitch);
   }
 
   /// > 0 on a crest.
@@ -33,7 +27,7 @@ class Walk {
     const Eigen::Vector2d here = place(arc_length);
     const Eigen::Vector2d before = here - place(arc_length - window);
     const Eigen::Vector2d after = place(arc_length + window) - here;
-    return std::atan2(before.y() * after.x() - before.x() * after.y(), before.dot(after));
+    return -turn_between(before, after);
   }
 
  private:

@@ -1,10 +1,11 @@
 # millwear from the shell. `make help` says what there is.
-.PHONY: all build demo seed seed-check test unit sanitize coverage check-style bench install clean help
+.PHONY: all build demo study seed seed-check test unit sanitize coverage check-style bench install clean help
 
 PROGRAM := build/release/millwear
 DEMO_CASE := cases/pilot_mill/case.toml
 DEMO_RUN := runs/pilot_mill
 SEED := seed_mill_8m_desktop
+SEEDS := 1
 PREFIX := /usr/local
 CTEST := ctest --preset ci --no-tests=error
 
@@ -19,11 +20,16 @@ build: ## Install what is missing and build build/release/millwear
 demo: build ## Simulate the pilot mill's liner from new to worn out, and print the report's path
 	@$(PROGRAM) run $(DEMO_CASE) --out $(DEMO_RUN)
 
-seed: build ## Simulate the 8 m mill's liner from new to worn out; the same command resumes it
-	@$(PROGRAM) run cases/$(SEED)/case.toml --out runs/$(SEED)
+study: build ## Simulate the pilot mill with six spacings of its lifters and compare them; resumes
+	@$(PROGRAM) study cases/spacing_study/study.toml --out runs/spacing_study
 
-seed-check: build ## Compare the 8 m mill's kept campaign with its published gauge readings
-	@$(PROGRAM) compare cases/$(SEED)/case.toml --out cases/$(SEED)/reference --calibrate-until 5112
+seed: build ## Simulate the 8 m mill's liner from new to worn out, once for each of SEEDS="1 2 3"; resumes
+	@for seed in $(SEEDS); do \
+	  $(PROGRAM) run cases/$(SEED)/case.toml --seed $$seed --out runs/$(SEED)/seed_$$seed || exit; done
+
+seed-check: build ## Compare the 8 m mill's kept campaigns with its published gauge readings
+	@$(PROGRAM) compare cases/$(SEED)/case.toml --calibrate-until 5112 \
+	  $(patsubst %,--out %,$(wildcard cases/$(SEED)/reference/seed_*))
 
 test: ## Install what is missing, build with warnings as errors and run every test
 	@scripts/install_packages.sh test

@@ -37,12 +37,13 @@ orchestrator/process: mill/base
 orchestrator/campaign: mill meshgen wear
 orchestrator/dem_run: mill liggghts_inputs wear orchestrator/process orchestrator/campaign
 orchestrator/loads: mill wear orchestrator/campaign
-orchestrator/stages: mill wear orchestrator/campaign orchestrator/dem_run orchestrator/loads
+orchestrator/stages: mill wear orchestrator/process orchestrator/campaign orchestrator/dem_run orchestrator/loads
 orchestrator/results: mill wear orchestrator/campaign orchestrator/dem_run orchestrator/loads
 orchestrator/report: mill/base orchestrator/process orchestrator/results
 orchestrator/postprocess: mill meshgen liggghts_inputs/outputs wear orchestrator/process orchestrator/campaign orchestrator/dem_run
 orchestrator/gauge: mill meshgen wear orchestrator/results
 orchestrator/calibration: mill wear orchestrator/campaign orchestrator/dem_run orchestrator/results orchestrator/gauge
+orchestrator/study: mill liggghts_inputs wear/numerics orchestrator/process orchestrator/campaign orchestrator/dem_run orchestrator/results orchestrator/report
 orchestrator/app: mill meshgen liggghts_inputs wear orchestrator
 '
 
@@ -96,6 +97,7 @@ library HDF5 "hdf5|H5" wear/record/hdf5_file.cpp wear/record/load_read.cpp wear/
   wear/record/collision_store.cpp
 library Clipper "polyclipping/|clipper" wear/evolve/steel_cut.cpp wear/gauge/area_between.cpp
 library toml++ "toml" mill/case_keys/case_document.cpp
+library dlib "dlib/" orchestrator/study/design_search.cpp
 library cereal "cereal/" orchestrator/loads/kept_value.h
 library CLI11 "CLI/" orchestrator/app/command_line.cpp orchestrator/app/common_options.cpp \
   orchestrator/app/liner_choice.cpp $(echo orchestrator/app/*_verb.cpp) recorder/options/mixing_options.cpp \

@@ -1,9 +1,13 @@
 #!/bin/sh
 # Keeps a finished campaign's small files beside its case, as the run that others are held against.
-#   scripts/keep_reference.sh RUN CASE_FOLDER      writes CASE_FOLDER/reference
+#   scripts/keep_reference.sh RUN CASE_FOLDER      writes CASE_FOLDER/reference/seed_SEED
 set -eu
-run=$1 kept=$2/reference
+run=$1
 [ -s "$run/results/summary.json" ] || { echo "keep_reference.sh: $run has no results/summary.json; finish it with millwear run" >&2; exit 1; }
+value() {
+  awk -F'"' -v key="$1" '$2 == key { print ($4 != "" ? $4 : $3); exit }' "$run/results/summary.json" | sed 's/^: //; s/,$//'
+}
+kept=$2/reference/seed_$(value seed)
 rm -rf "$kept"
 mkdir -p "$kept"
 cp "$run/case.lock.toml" "$run/ledger.jsonl" "$run/results/history.csv" "$run/results/replicates.csv" \
@@ -12,13 +16,10 @@ cp "$run/case.lock.toml" "$run/ledger.jsonl" "$run/results/history.csv" "$run/re
 awk -F, 'FNR == NR { if (/^[0-9]/) last[$1] = $2; next }
   !/^[0-9]/ || ($1 == 0 && $2 == 0) || $2 == last[$1]' "$run/results/profiles.csv" "$run/results/profiles.csv" >"$kept/profiles.csv"
 
-value() {
-  awk -F'"' -v key="$1" '$2 == key { print ($4 != "" ? $4 : $3); exit }' "$run/results/summary.json" | sed 's/^: //; s/,$//'
-}
 {
   echo "# The run that is kept"
   echo
-  echo "    millwear run cases/$(value case)/case.toml"
+  echo "    millwear run cases/$(value case)/case.toml --seed $(value seed)"
   echo
   echo "| | |"
   echo "|---|---|"

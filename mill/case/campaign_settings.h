@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -26,6 +27,7 @@ struct CampaignSettings {
   double largest_share = 0.25;    ///< adaptive: ... that one load may wear at all
   std::vector<double> reversal_times = {};  ///< of milling, at which the rotation turns to the
                                             ///< other way, increasing [s] (mill/liner/rotation.h)
+  std::optional<double> target_life_error = {};  ///< half width of the life's 95 % band [-]
 };
 
 }  // namespace millwear

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -31,6 +32,7 @@ struct WearSettings {
   int time_blocks = 10;                   ///< replicates of the load in one measurement
   double excess_speed = 0.1;              ///< v_0 of the excess kinetic energy of an impact [m/s]
   SmoothingMethod smoothing{};            ///< of the load along the profile
+  std::optional<double> resolution{};     ///< of the smoothing; the smallest diameter if none [m]
   ShadowedSteel shadowed_steel{};
 };
 

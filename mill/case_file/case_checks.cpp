@@ -182,6 +182,13 @@ void check_error_target(const Case& mill, const CaseDocument& document, CaseProb
                              mill.wear.time_blocks, least_blocks_for_a_target));
 }
 
+void check_life_error(const Case& mill, const CaseDocument& document, CaseProblems& problems) {
+  if (mill.campaign.target_life_error && mill.dem.error_target)
+    problems.add(document.line_of("campaign", "target_life_error"),
+                 "`target_life_error` and `target_relative_error` in [dem] both say how long to "
+                 "measure; give one of the two");
+}
+
 void check_tuning(const Case& mill, const CaseDocument& document, CaseProblems& problems) {
   if (!mill.dem.tune) return;
   if (mill.dem.skin)
@@ -269,6 +276,7 @@ void check_case(const Case& mill, const CaseDocument& document, CaseProblems& pr
   check_mechanisms(mill, document, problems);
   check_time_step(mill, document, problems);
   check_error_target(mill, document, problems);
+  check_life_error(mill, document, problems);
   check_tuning(mill, document, problems);
   check_mixing(mill, document, problems);
 }

@@ -18,14 +18,23 @@ Case read_case(const std::filesystem::path& file) {
 
 Case case_from_text(std::string_view text, const std::filesystem::path& file) {
   check_plain_text(text, file);
-  const CaseDocument document = parse_case_document(text, file);
-  CaseProblems problems(file);
+  return case_from_document(parse_case_document(text, file));
+}
+
+CaseDocument read_case_document(const std::filesystem::path& file) {
+  const std::string text = read_text_file(file);
+  check_plain_text(text, file);
+  return parse_case_document(text, file);
+}
+
+Case case_from_document(const CaseDocument& document) {
+  CaseProblems problems(document.file);
   check_against_schema(document, problems);
   problems.throw_if_any();
 
   const CaseTable& lifter = *document.find("lifter");
   Case result{};
-  result.file = file;
+  result.file = document.file;
   read_keys(top_keys(), document.find(""), result);
   read_keys(mill_keys(), document.find("mill"), result);
   read_keys(lifter_keys(), &lifter, result);

@@ -49,6 +49,10 @@ const std::vector<KeyRow<CampaignSettings>>& campaign_keys() {
                 "missing [m]"),
        defaulted("cycle_limit", in(&Campaign::cycle_limit), between(1, 10000),
                  "the campaign stops after so many cycles"),
+       optional("target_life_error", in(&Campaign::target_life_error), above_up_to(0.0, 1.0),
+                "loads are measured for longer than `measure_revolutions`, up to four times, as "
+                "far as the life's 95 % band asks for it to become no wider than this share of "
+                "the life on either side [-]"),
        optional("reversal_hours", converted(time_from_hours, reversal_times()), positive,
                 "operating hours at which the mill is made to turn the other way, increasing; "
                 "never where missing [h]")});

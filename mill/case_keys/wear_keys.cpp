@@ -63,6 +63,9 @@ const std::vector<KeyRow<WearSettings>>& wear_keys() {
               {SmoothingMethod::penalised, SmoothingMethod::paper},
               "how the load is smoothed along the profile: `penalised` as much as its "
               "noise asks for, `paper` by the two splines of the 2006 paper"),
+       optional("resolution_m", in(&Wear::resolution), positive,
+                "with `penalised`: waves of the load that are twice as long are halved, shorter "
+                "ones go; the diameter of the smallest particle where missing [m]"),
        choice(
            Presence::defaulted, "shadowed_steel", in(&Wear::shadowed_steel),
            {ShadowedSteel::closing, ShadowedSteel::kept},

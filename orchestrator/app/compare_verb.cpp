@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "mill/base/constants.h"
 #include "mill/base/failure.h"
@@ -17,6 +18,8 @@
 #include "mill/liner/profile_measures.h"
 #include "orchestrator/calibration/course_calibration.h"
 #include "orchestrator/calibration/course_comparison.h"
+#include "orchestrator/calibration/repeated_comparison.h"
+#include "orchestrator/calibration/repeated_courses.h"
 #include "orchestrator/campaign/open_campaign.h"
 #include "orchestrator/campaign/output_path.h"
 #include "orchestrator/campaign/run_folder.h"
@@ -139,18 +142,44 @@ std::optional<double> calibrate_until(const CompareOptions& options, const Case&
   return until == 0.0 ? std::nullopt : until;
 }
 
-void compare_calibrated(const CompareOptions& options, const Case& mill, const fs::path& results,
-                        const std::vector<GaugeReading>& readings, double until) {
+CalibratedCourse course_in(const fs::path& results, const CompareOptions& options, const Case& mill,
+                           const std::vector<GaugeReading>& readings, double until) {
   CampaignCourse campaign{read_history_csv(results / "history.csv"), {}};
   if (const auto replicates = results / "replicates.csv"; fs::exists(replicates))
     campaign.replicates = read_replicates_csv(replicates);
-  const CalibratedCourse course = calibrated_course(
-      mill, campaign, readings, {until, options.gauge_on.value_or(GaugeOn::new_plate)});
+  return calibrated_course(mill, campaign, readings,
+                           {until, options.gauge_on.value_or(GaugeOn::new_plate)});
+}
+
+void compare_calibrated(const CompareOptions& options, const CalibratedCourse& course) {
   if (options.csv) publish(*options.csv, course_csv(course));
-  if (options.plot) publish(*options.plot, course_png(course));
-  fmt::print("{}{}",
-             options.common.form == OutputForm::json ? course_json(course) : course_text(course),
-             options.common.form == OutputForm::json ? "\n" : "");
+  if (options.plot) publish(*options.plot, course_png({course}));
+  if (options.common.form == OutputForm::json)
+    fmt::print("{}\n", course_json(course));
+  else
+    fmt::print("{}", course_text(course));
+}
+
+/// Several campaigns that differ in the seed, side by side.
+void compare_repeats(const CompareOptions& options, const Case& mill,
+                     const std::vector<GaugeReading>& readings, double until) {
+  std::vector<Case> cases;
+  std::vector<CalibratedCourse> courses;
+  std::vector<std::uint64_t> seeds;
+  for (const fs::path& out : options.outs) {
+    const fs::path results = results_of(mill, {out});
+    cases.push_back(read_case(RunFolder{out}.locked_case()));
+    seeds.push_back(cases.back().dem.seed);
+    courses.push_back(course_in(results, options, mill, readings, until));
+  }
+  check_repeats(cases, options.outs);
+  const RepeatedCourses repeats = repeated_courses(std::move(courses), std::move(seeds));
+  if (options.csv) publish(*options.csv, repeated_csv(repeats));
+  if (options.plot) publish(*options.plot, course_png(repeats.courses));
+  if (options.common.form == OutputForm::json)
+    fmt::print("{}\n", repeated_json(repeats));
+  else
+    fmt::print("{}", repeated_text(repeats));
 }
 
 void compare_as_run(const CompareOptions& options, const Case& mill, const fs::path& results,
@@ -167,6 +196,10 @@ void compare_as_run(const CompareOptions& options, const Case& mill, const fs::p
 
 /// Throws Failure (usage) where an option asks for a calibration and there is none.
 void check_usage(const CompareOptions& options, const Case& mill) {
+  if (options.outs.size() > 1 && !calibrate_until(options, mill))
+    throw Failure(ExitCode::usage,
+                  "several campaigns (--out) are compared with calibrated hours; add "
+                  "--calibrate-until HOURS, or name one");
   if (!options.gauge_on && !options.plot && !options.calibrate_until) return;
   if (!options.compared_profiles.empty())
     throw Failure(ExitCode::usage,
@@ -187,11 +220,17 @@ void check_outputs(const CompareOptions& options) {
 
 void compare_campaign(const CompareOptions& options, const Case& mill) {
   check_outputs(options);
-  const RunFolder folder = run_folder_of(mill, options.out);
+  const auto until = calibrate_until(options, mill);
   const auto readings = needed_readings_in(gauge_folder(mill, options.readings), mill);
+  if (options.outs.size() > 1) {
+    compare_repeats(options, mill, readings, *until);
+    return;
+  }
+  const RunFolder folder =
+      run_folder_of(mill, options.outs.empty() ? fs::path{} : options.outs.front());
   const fs::path results = results_of(mill, folder);
-  if (const auto until = calibrate_until(options, mill))
-    compare_calibrated(options, mill, results, readings, *until);
+  if (until)
+    compare_calibrated(options, course_in(results, options, mill, readings, *until));
   else
     compare_as_run(options, mill, results, readings);
 }
@@ -213,7 +252,10 @@ void add_options(CLI::App& verb, CompareOptions& options) {
   const std::map<std::string, GaugeOn> gauges{{"new-plate", GaugeOn::new_plate},
                                               {"plate", GaugeOn::plate}};
   add_options(verb, options.common);
-  add_campaign_folder(verb, options.out);
+  verb.add_option("--out", options.outs,
+                  "Folder of the campaign; by default runs/NAME. Given more than once: campaigns "
+                  "that differ in the seed, side by side with their mean and scatter")
+      ->allow_extra_args(false);
   add_readings_folder(verb, options.readings);
   add_csv(verb, options.csv, "Write the comparison with the readings as a table");
   verb.add_option("--profiles", options.compared_profiles,

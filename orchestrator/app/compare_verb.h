@@ -11,7 +11,7 @@ namespace millwear::orchestrator {
 /// What `millwear compare` is told.
 struct CompareOptions {
   CommonOptions common;
-  std::filesystem::path out;                             ///< empty: runs/NAME
+  std::vector<std::filesystem::path> outs;               ///< none: runs/NAME; two or more: repeats
   std::optional<std::filesystem::path> csv;              ///< to be written
   std::optional<std::filesystem::path> readings;         ///< folder of the gauge readings
   std::vector<std::filesystem::path> compared_profiles;  ///< none, or two

@@ -55,10 +55,11 @@ std::string spoken_outcome(const CampaignResults& data) {
                                ? fmt::format(" (95 % band {:.0f} to {:.0f} h)", data.life.hours_low,
                                              data.life.hours_high)
                                : "";
-  return fmt::format("{} {:.0f} h{}: lifter {:.1f} mm high, plate {:.1f} mm thick, {} cycles",
-                     data.life.reached ? "worn out at" : "worn for", last.operating_hours, band,
-                     1e3 * last.lifter_height, 1e3 * last.plate_thickness,
-                     data.conservation.size());
+  return fmt::format(
+      "{} {:.0f} h{}: lifter {:.1f} mm high, plate {:.1f} mm thick, roughness {:.2f} mm, {} cycles",
+      data.life.reached ? "worn out at" : "worn for", last.operating_hours, band,
+      1e3 * last.lifter_height, 1e3 * last.plate_thickness, 1e3 * last.roughness,
+      data.conservation.size());
 }
 
 void print_outcome(OutputForm form, const RunFolder& folder, const CampaignResults& data) {

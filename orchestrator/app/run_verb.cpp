@@ -6,8 +6,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cstdint>
 #include <ctime>
+#include <limits>
 
 #include "mill/base/failure.h"
 #include "mill/base/version.h"
@@ -22,6 +24,7 @@
 #include "orchestrator/dem_run/cost_estimate.h"
 #include "orchestrator/dem_run/stretch_run.h"
 #include "orchestrator/process/child_process.h"
+#include "orchestrator/results/life_error.h"
 #include "orchestrator/stages/run_stage.h"
 
 namespace millwear::orchestrator {
@@ -69,6 +72,34 @@ Failure failure_of_stage(const Campaign& campaign, const StageId& stage, const F
                   name_of(stage), free >> 10, failure.what()));
 }
 
+/// The stage of "3:dem". Throws Failure (usage).
+StageId stage_from(const std::string& words) {
+  const auto colon = words.find(':');
+  int cycle = -1;
+  const auto read =
+      std::from_chars(words.data(), words.data() + std::min(colon, words.size()), cycle);
+  for (const StageKind kind :
+       {StageKind::mesh, StageKind::mix, StageKind::tune, StageKind::dem, StageKind::wear})
+    if (read.ec == std::errc{} && cycle >= 0 && colon != std::string::npos &&
+        words.substr(colon + 1) == name_of(kind))
+      return {cycle, kind};
+  throw Failure(ExitCode::usage,
+                fmt::format("--until {}: no stage; write CYCLE:STAGE, such as 3:dem", words));
+}
+
+/// The campaign as its next load is to be measured.
+Campaign as_measured(const Campaign& campaign, const Ledger& so_far, Progress& progress) {
+  Campaign measured = campaign;
+  double& revolutions = measured.mill.dem.measure_revolutions;
+  revolutions = revolutions_of_next_load(campaign, so_far);
+  if (revolutions > campaign.mill.dem.measure_revolutions)
+    progress.say(
+        fmt::format("the next load is measured for {:.3g} revolutions, for the life to be "
+                    "known to {:.3g} %",
+                    revolutions, 100.0 * *campaign.mill.campaign.target_life_error));
+  return measured;
+}
+
 LedgerEntry run_and_tell(const Campaign& campaign, const StageId& stage, Progress& progress) {
   stop_if_interrupted();
   const auto share = share_of(campaign, stage);
@@ -98,18 +129,35 @@ void explain_campaign(const OpenCampaign& opened, Explanation how) {
                  name_of(entry.stage), entry.outputs.size());
 }
 
+Case case_to_run(const RunOptions& options) {
+  Case mill = read_case(options.common.case_file);
+  if (options.seed) mill.dem.seed = *options.seed;
+  return mill;
+}
+
 }  // namespace
 
 void add_options(CLI::App& verb, RunOptions& options) {
   add_options(verb, options.common);
   add_campaign_folder(verb, options.out);
   add_ranks(verb, options.ranks);
+  verb.add_option("--seed", options.seed,
+                  "Seed of the first packing, instead of the case's; campaigns with other seeds "
+                  "show how far chance goes, each in its own folder (--out)")
+      ->check(CLI::Range(1, std::numeric_limits<int>::max()));
+  verb.add_option(
+      "--until", options.until,
+      "Run no further than a stage, CYCLE:STAGE with mesh, mix, tune, dem or wear, such "
+      "as 3:dem; nothing where it is published");
+  verb.add_option("--shared", options.shared,
+                  "Folder in which campaigns leave their DEM for each other: what another has "
+                  "simulated to the bit is taken from there");
   verb.add_flag("--dry-run", options.dry_run, "Say which stages would run, and run none");
   verb.add_flag("--explain", options.explain, "Say why each stage runs");
 }
 
 void run_verb(const RunOptions& options) {
-  const Case mill = read_case(options.common.case_file);
+  const Case mill = case_to_run(options);
   const RunFolder folder = run_folder_of(mill, options.out);
   check_campaign_folder("--out", folder.root);
   const auto open = [&] {
@@ -123,22 +171,33 @@ void run_verb(const RunOptions& options) {
 
   make_folder(folder.root);
   const RunLock lock(folder.lock());
-  const OpenCampaign opened = open();
+  OpenCampaign opened = open();
+  opened.campaign.shared_stages = options.shared;
   keep_start(opened);
   if (options.explain) explain_campaign(opened, how);
 
   Progress progress(options.common.verbosity);
   for (const auto& warning : warnings(mill)) progress.say("warning: " + warning);
   const Campaign& campaign = opened.campaign;
+  Ledger so_far = opened.ledger;
   const CampaignEffects effects{
-      [&](const StageId& stage) { return run_and_tell(campaign, stage, progress); },
-      [&](const LedgerEntry& entry) { append_entry(folder.ledger(), entry); },
-      [&](const Ledger& so_far) {
-        const CampaignResults data = publish_campaign({campaign, so_far}, {});
-        progress.say(
-            fmt::format("cycle {}: {}", so_far.entries.back().stage.cycle, spoken_outcome(data)));
+      [&](const StageId& stage) {
+        const bool is_load = stage.kind == StageKind::dem;
+        return run_and_tell(is_load ? as_measured(campaign, so_far, progress) : campaign, stage,
+                            progress);
+      },
+      [&](const LedgerEntry& entry) {
+        append_entry(folder.ledger(), entry);
+        so_far.entries.push_back(entry);
+      },
+      [&](const Ledger& published) {
+        const CampaignResults data = publish_campaign({campaign, published}, {});
+        progress.say(fmt::format("cycle {}: {}", published.entries.back().stage.cycle,
+                                 spoken_outcome(data)));
       }};
-  const Ledger finished = run_campaign(opened.ledger, plan_of(mill), effects);
+  CampaignPlan plan = plan_of(mill);
+  if (options.until) plan.until = stage_from(*options.until);
+  const Ledger finished = run_campaign(opened.ledger, plan, effects);
   // Once more at the end: an earlier process may have died between its last stage and its results.
   const CampaignResults data = publish_campaign({campaign, finished}, {});
   publish_pictures_if_possible(folder, data, progress);

@@ -13,6 +13,7 @@
 #include "orchestrator/app/report_verb.h"
 #include "orchestrator/app/run_verb.h"
 #include "orchestrator/app/status_verb.h"
+#include "orchestrator/app/study_verb.h"
 #include "orchestrator/app/tune_verb.h"
 #include "orchestrator/app/wear_verb.h"
 
@@ -44,6 +45,12 @@ constexpr std::array table{
          "  millwear run cases/pilot_mill/case.toml\n"
          "  millwear run cases/pilot_mill/case.toml --out runs/try --ranks 2 --explain",
          prepare<RunOptions, run_verb>},
+    Verb{"study", "Vary keys of a case, run a campaign for every point, and compare them",
+         "  millwear study cases/spacing_study/study.toml --dry-run\n"
+         "  millwear study cases/spacing_study/study.toml --jobs 2\n"
+         "  millwear study cases/pilot_mill/case.toml --axis mill.rows=8,10,12 \\\n"
+         "    --axis lifter.height_m=0.03:0.05:0.01 --objective \"maximise life_hours\"",
+         prepare<StudyOptions, study_verb>},
     Verb{"status", "Say how far a campaign is", "  millwear status cases/pilot_mill/case.toml",
          prepare<StatusOptions, status_verb>},
     Verb{"report", "Write the result files and report.html of a campaign so far",

@@ -1,4 +1,7 @@
 #pragma once
+#include <filesystem>
+#include <optional>
+
 #include "mill/case/case.h"
 #include "mill/liner/rotation.h"
 #include "orchestrator/campaign/run_folder.h"
@@ -10,6 +13,8 @@ struct Campaign {
   Case mill;
   RunFolder folder;
   int ranks;
+  /// Where campaigns of one study leave their DEM for each other (stages/shared_stages.h).
+  std::optional<std::filesystem::path> shared_stages{};
 };
 
 /// The liner that a cycle begins with: the new one, or what the cycle before left. In the steel's

@@ -48,6 +48,7 @@ std::optional<NextStage> next_stage(const Ledger& ledger, const CampaignPlan& pl
 
 Ledger run_campaign(Ledger ledger, const CampaignPlan& plan, const CampaignEffects& effects) {
   while (const auto next = next_stage(ledger, plan)) {
+    if (plan.until && ledger.find(*plan.until) != nullptr) break;
     const LedgerEntry entry = effects.run_stage(next->stage);
     effects.record(entry);
     ledger.entries.push_back(entry);

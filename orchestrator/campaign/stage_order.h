@@ -22,6 +22,7 @@ enum class SpeedTrial { none, after_first_mix };
 struct CampaignPlan {
   int cycle_limit;
   SpeedTrial trial = SpeedTrial::none;
+  std::optional<StageId> until{};  ///< run no further than this stage
 };
 
 [[nodiscard]] CampaignPlan plan_of(const Case& mill);
@@ -42,8 +43,9 @@ struct CampaignEffects {
   std::function<void(const Ledger&)> after_cycle;        ///< results so far
 };
 
-/// Runs stage after stage until there is none left; returns the finished ledger. Whatever an effect
-/// throws leaves every published stage in the ledger, and a later call goes on from there.
+/// Runs stage after stage until there is none left, or `plan.until` is published; returns the
+/// finished ledger. Whatever an effect throws leaves every published stage in the ledger, and a
+/// later call goes on from there.
 Ledger run_campaign(Ledger ledger, const CampaignPlan& plan, const CampaignEffects& effects);
 
 }  // namespace millwear::orchestrator

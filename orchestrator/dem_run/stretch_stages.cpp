@@ -105,22 +105,19 @@ liggghts::StretchSteps steps_of_load(const liggghts::StretchSteps& planned, cons
   }
 }
 
-/// Runs the deck with the recorder, which leaves the load, and returns the steps as they went.
-liggghts::StretchSteps record(const Campaign& campaign, int cycle,
-                              const liggghts::StretchSteps& planned, const fs::path& into,
-                              Progress& progress) {
+/// Runs the deck with the recorder, which leaves the load.
+void record(const Campaign& campaign, int cycle, const liggghts::StretchSteps& planned,
+            const fs::path& into, Progress& progress) {
   run_liggghts({into, campaign.ranks, step_follower({cycle, StageKind::dem}, planned, progress),
                 RecorderProgram{recorder_program(), recorder_arguments(campaign.mill)}},
                {});
-  const auto steps = steps_of_load(planned, into);
-  check_stretch(campaign, cycle, steps, into);
+  check_stretch(campaign, cycle, steps_of_load(planned, into), into);
   std::vector<const char*> files = {stage_files::load};
   if (campaign.mill.dem.keep_events) files.push_back(stage_files::events);
   for (const char* const file : files)
     if (!fs::exists(into / file))
       throw ResultRejected(fmt::format("{}: the recorder left no {}; see this log for why",
                                        (into / names::log).string(), file));
-  return steps;
 }
 
 /// Runs the deck with the plain liggghts and sums what it dumps.
@@ -232,17 +229,22 @@ void mix_stage(const Campaign& campaign, int cycle, const fs::path& into, Progre
   check_stretch(campaign, cycle, steps, into);
 }
 
-void dem_stage(const Campaign& campaign, int cycle, const fs::path& into, Progress& progress) {
+void simulate_load(const Campaign& campaign, int cycle, const fs::path& into, Progress& progress) {
   const auto& mill = campaign.mill;
-  auto steps = liggghts::measuring_steps(mill, plan_steps(mill));
+  const auto steps = liggghts::measuring_steps(mill, plan_steps(mill));
   check_free_disk(mill, steps, into);
   write_measuring_deck(campaign, cycle, into);
   if (mill.dem.contact_path == ContactPath::recorder)
-    steps = record(campaign, cycle, steps, into, progress);
+    record(campaign, cycle, steps, into, progress);
   else
     read_dumps(campaign, cycle, steps, into, progress);
+}
+
+void measure_load(const Campaign& campaign, int cycle, const fs::path& into, Progress& progress) {
+  const auto& mill = campaign.mill;
   const auto record = wear::read_record(into / stage_files::load);
   wear::check_rejected_share(record.load, largest_rejected_share);
+  const auto steps = steps_of_load(liggghts::measuring_steps(mill, plan_steps(mill)), into);
   const Measured measured = stretch_measures(mill, dem_liner_of_cycle(campaign, cycle), steps,
                                              record, into / names::torque);
   write_measured(into / stage_files::measured, measured);

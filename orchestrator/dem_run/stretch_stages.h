@@ -12,9 +12,14 @@ namespace millwear::orchestrator {
 void mix_stage(const Campaign& campaign, int cycle, const std::filesystem::path& into,
                Progress& progress);
 
-/// Settles the charge on a cycle's mesh and measures the load: the work of its dem stage.
-void dem_stage(const Campaign& campaign, int cycle, const std::filesystem::path& into,
-               Progress& progress);
+/// Settles the charge on a cycle's mesh and records the load: the DEM of its dem stage. What it
+/// leaves does not depend on the wear law, unless a measurement goes on until a rate is known.
+void simulate_load(const Campaign& campaign, int cycle, const std::filesystem::path& into,
+                   Progress& progress);
+
+/// What the recorded load says by the case's law: the rest of the dem stage.
+void measure_load(const Campaign& campaign, int cycle, const std::filesystem::path& into,
+                  Progress& progress);
 
 /// The decks of a stretch and, for a mixing one, its charge, written into `into`.
 void write_mixing_deck(const Campaign& campaign, int cycle, const std::filesystem::path& into);

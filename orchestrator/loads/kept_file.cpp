@@ -11,7 +11,7 @@
 namespace millwear::orchestrator {
 namespace {
 
-constexpr int kept_version = 4;
+constexpr int kept_version = 5;
 
 std::string head_of(std::string_view key, std::string_view bytes) {
   return fmt::format("millwear kept {} {} {}\n", kept_version, key, hash_of_text(bytes));

@@ -51,6 +51,10 @@ std::array<int, 2> new_pipe(const std::string& program) {
   return ends;
 }
 
+int exit_code_of(int status) {
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
 int no_input() { return ::open("/dev/null", O_RDONLY | O_CLOEXEC); }
 
 }  // namespace
@@ -109,7 +113,14 @@ int ChildProcess::wait() {
   int status = 0;
   while (::waitpid(pid_, &status, 0) < 0 && errno == EINTR) stop_if_interrupted();
   ended_ = true;
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return exit_code_of(status);
+}
+
+std::optional<int> ChildProcess::ended() {
+  int status = 0;
+  if (::waitpid(pid_, &status, WNOHANG) != pid_) return std::nullopt;
+  ended_ = true;
+  return exit_code_of(status);
 }
 
 std::filesystem::path program_on_path(const std::string& name, const std::string& package) {

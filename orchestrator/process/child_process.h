@@ -31,6 +31,9 @@ class ChildProcess {
   /// Waits for the end; the exit code, or 128 + signal.
   [[nodiscard]] int wait();
 
+  /// The same where it has ended already; nothing where it still runs.
+  [[nodiscard]] std::optional<int> ended();
+
  private:
   void close_output() const;
 

@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "mill/base/number_or_null.h"
+#include "orchestrator/report/html_text.h"
 #include "orchestrator/results/measured_charge.h"
 
 namespace millwear::orchestrator {
@@ -195,6 +196,7 @@ Json json_of(const Conservation& balance) {
           {"revolutions", balance.revolutions},
           {"peak_error", balance.peak_error},
           {"path_over_slip", balance.path_over_slip},
+          {"load_scatter", balance.load_scatter},
           {"end", balance.end}};
 }
 
@@ -251,18 +253,6 @@ Json json_of(const LinerSector& sector) {
 template <class T>
 Json all(const std::vector<T>& items) {
   return array_of(items, [](const T& item) { return json_of(item); });
-}
-
-std::string inside_script(std::string_view json) {
-  std::string text;
-  text.reserve(json.size());
-  for (;;) {
-    const auto open = json.find('<');
-    text += json.substr(0, open);
-    if (open == std::string_view::npos) return text;
-    text += "\\u003c";
-    json.remove_prefix(open + 1);
-  }
 }
 
 }  // namespace

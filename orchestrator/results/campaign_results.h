@@ -58,6 +58,7 @@ struct Conservation {
   double revolutions;         ///< over which the load was measured
   double peak_error;  ///< relative standard error of the smoothed rate at its peaks; NaN unknown
   double path_over_slip;  ///< see `millwear::path_over_slip`
+  double load_scatter;    ///< of the loads about it over what their blocks say, see `birge_ratio`
   std::string end;        ///< why the measurement ended: as `name_of(MeasurementEnd)`
 };
 

@@ -16,6 +16,7 @@
 #include "wear/numerics/block_means.h"
 #include "wear/numerics/random_stream.h"
 #include "wear/rate/smoothing_error.h"
+#include "wear/surface/roughness.h"
 
 namespace millwear {
 
@@ -65,7 +66,7 @@ void serialize(Archive& archive, ReplicateRow& value) {
 template <class Archive>
 void serialize(Archive& archive, Conservation& value) {
   archive(value.cycle, value.removed, value.accounted, value.moved_by_smoothing, value.rejected,
-          value.revolutions, value.peak_error, value.path_over_slip, value.end);
+          value.revolutions, value.peak_error, value.path_over_slip, value.load_scatter, value.end);
 }
 
 template <class Archive>
@@ -106,6 +107,7 @@ HistoryRow row_of(const Case& mill, const LinerProfile& liner, const Measured& m
           .plate_thickness = plate_thickness(liner),
           .worn_volume = steel_area(fresh) - steel_area(liner),
           .worn_fraction = 1.0 - lifter_area(liner) / lifter_area(fresh),
+          .roughness = wear::roughness(liner, 0.5 * smallest_diameter(mill.charge.classes)),
           .power = measured.power,
           .shoulder = measured.charge.shoulder,
           .toe = measured.charge.toe,
@@ -162,7 +164,7 @@ CycleResults without_band(const Campaign& campaign, const Ledger& ledger, int cy
       .replicates = {},
       .step_durations = {},
       .conservation = {cycle, 0.0, 0.0, kept.smoothing_moved_share, measured.rejected_share,
-                       measured.revolutions, measured.peak_error, load.path_over_slip,
+                       measured.revolutions, measured.peak_error, load.path_over_slip, 1.0,
                        std::string(name_of(end_of(measured)))},
       .power = {cycle, as_vector(wear::block_means(measured.power_times, load.block_count)),
                 as_vector(wear::block_means(measured.power_series, load.block_count))},
@@ -233,6 +235,7 @@ void add_band(const wear::CycleBand& band, const wear::WornCycle& worn, CycleRes
     results.profiles.at(first + step).depth_error =
         as_turned(at_nodes(worn.steps[step].profile, after.depth_error), results.rotation);
   }
+  results.conservation.load_scatter = band.load_scatter;
   results.liners_after = band.after;
 }
 
@@ -254,6 +257,15 @@ std::vector<std::string> keys_of(const Case& mill, const Ledger& ledger, std::si
 }
 
 }  // namespace
+
+std::vector<CycleLoad> loads_of_cycles(const Campaign& campaign, const Ledger& ledger) {
+  std::vector<CycleLoad> loads;
+  for (int cycle = 0; ledger.find({cycle, StageKind::wear}) != nullptr; ++cycle) {
+    const auto* measured = ledger.find({cycle, StageKind::dem});
+    loads.push_back(load_of_cycle(campaign, cycle, measured->outputs.at(stage_files::load)));
+  }
+  return loads;
+}
 
 std::vector<CycleResults> results_of_cycles(const Campaign& campaign, const Ledger& ledger,
                                             const std::vector<CycleLoad>& loads) {

@@ -34,6 +34,10 @@ struct CycleResults {
   CampaignMoment after;
 };
 
+/// The loads of every cycle whose wear is published, in order.
+[[nodiscard]] std::vector<CycleLoad> loads_of_cycles(const Campaign& campaign,
+                                                     const Ledger& ledger);
+
 /// The results of every cycle whose wear is published, in order; `loads` are those of the same
 /// cycles. A cycle's are kept once no later cycle can change them (its band looks three loads
 /// ahead), so that a campaign's next cycle works out only what is new.

@@ -14,7 +14,8 @@
 #include "orchestrator/dem_run/progress.h"
 #include "orchestrator/loads/cycle_load.h"
 #include "orchestrator/results/cycle_results.h"
-#include "orchestrator/results/shaking_warning.h"
+#include "orchestrator/results/life_error.h"
+#include "orchestrator/results/load_warnings.h"
 #include "wear/band/life_band.h"
 #include "wear/evolve/load_carrier.h"
 #include "wear/record/impact_spectrum.h"
@@ -35,39 +36,6 @@ std::vector<Eigen::Vector2d> places_on(const LinerProfile& liner, Rotation rotat
 template <class T>
 void append(const std::vector<T>& items, std::vector<T>& to) {
   to.insert(to.end(), items.begin(), items.end());
-}
-
-std::vector<CycleLoad> loads_of(const Campaign& campaign, const Ledger& ledger) {
-  std::vector<CycleLoad> loads;
-  for (int cycle = 0; ledger.find({cycle, StageKind::wear}) != nullptr; ++cycle) {
-    const auto* measured = ledger.find({cycle, StageKind::dem});
-    loads.push_back(load_of_cycle(campaign, cycle, measured->outputs.at(stage_files::load)));
-  }
-  return loads;
-}
-
-/// The band of a life that is reached [h].
-wear::Band life_band(const Case& mill, const std::vector<CycleResults>& cycles) {
-  std::vector<wear::ReplicatesInTime> course;
-  double last_load = 0.0;
-  for (const auto& cycle : cycles) {
-    if (cycle.step_durations.empty()) continue;
-    last_load = cycle.load_time;
-    double time = cycle.load_time;
-    std::size_t row = cycle.replicates.size() - cycle.step_durations.size();
-    if (course.empty()) {
-      const auto& fresh = cycles.front().replicates.front();
-      course.push_back({time, fresh.heights, fresh.plates});
-    }
-    for (const double duration : cycle.step_durations) {
-      const auto& after = cycle.replicates[row++];
-      time += duration;
-      course.push_back({time, after.heights, after.plates});
-    }
-  }
-  const auto& limits = mill.campaign;
-  return wear::band_of(wear::lives(course, limits.height_limit, limits.plate_limit, last_load) /
-                       seconds_per_hour);
 }
 
 /// Adds what a cycle that began on `liner` tells.
@@ -149,17 +117,19 @@ CampaignResults gather(const Campaign& campaign, const Ledger& ledger) {
   data.warnings = warnings(mill);
   const Eigen::VectorXd edges = wear::energy_edges();
   data.energy_edges.assign(edges.begin(), edges.end());
-  auto loads = loads_of(campaign, ledger);
+  auto loads = loads_of_cycles(campaign, ledger);
   const auto cycles = results_of_cycles(campaign, ledger, loads);
   for (std::size_t i = 0; i < cycles.size(); ++i)
     add_cycle(std::move(loads[i]), cycles[i], i > 0 ? cycles[i - 1].after.liner : mill.liner, data);
   data.life = life_from(campaign, ledger, data);
   if (data.life.reached) {
-    const auto band = life_band(mill, cycles);
+    const auto band = wear::band_of(lives_of(mill, cycles));
     data.life.hours_low = band.low;
     data.life.hours_high = band.high;
   }
   if (const auto warning = shaking_warning(data.conservation)) data.warnings.push_back(*warning);
+  if (const auto warning = jumping_warning(data.conservation)) data.warnings.push_back(*warning);
+  if (const auto warning = life_error_warning(mill, data.life)) data.warnings.push_back(*warning);
   double wall = 0.0;
   for (const auto& entry : ledger.entries) wall += entry.wall_seconds;
   data.provenance = {{"Program", ledger.start.program},

@@ -8,8 +8,8 @@ namespace {
 using Row = HistoryRow;
 using Degrees = InDegrees<Row>;
 
-constexpr std::string_view history_format = "millwear history 3";
-constexpr std::array<CsvColumn<Row>, 26> columns{{
+constexpr std::string_view history_format = "millwear history 4";
+constexpr std::array<CsvColumn<Row>, 27> columns{{
     {"cycle", "1", "DEM load that the step was taken on, from 0", "cycle", &Row::cycle},
     {"step", "1", "geometry step within the cycle", "step", &Row::step},
     {"operating_hours", "h", "since the liner was new", "operating_hours", &Row::operating_hours},
@@ -29,6 +29,10 @@ constexpr std::array<CsvColumn<Row>, 26> columns{{
      &Row::worn_volume},
     {"worn_fraction", "1", "share of the new lifter's steel above the new plate that is gone",
      "worn_fraction", &Row::worn_fraction},
+    {"roughness_m", "m",
+     "section between the liner and what the smallest particle touches of it, per length; a new "
+     "lifter's feet count, a worn liner should have less ([numerics.md](numerics.md#roughness))",
+     "roughness", &Row::roughness},
     {"power_w", "W", "drawn by the simulated slice", "power", &Row::power},
     {"shoulder_deg", "degree",
      "angle of the shoulder from three o'clock on the rising side, along the mill's rotation (six "

@@ -20,6 +20,7 @@ struct HistoryRow {
   double plate_thickness;  ///< least steel over the shell [m]
   double worn_volume;      ///< per lifter and metre of mill, since new [m3/m]
   double worn_fraction;    ///< of the new lifter's volume, since new [-]
+  double roughness;        ///< to the smallest particle, see wear/surface/roughness.h [m]
   double power;            ///< drawn by the simulated slice [W]
   double shoulder;         ///< from three o'clock on the rising side, along the rotation [rad]
   double toe;              ///< likewise [rad]

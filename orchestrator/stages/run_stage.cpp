@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <functional>
 
 #include "mill/base/failure.h"
 #include "mill/base/published_file.h"
@@ -10,6 +11,7 @@
 #include "orchestrator/dem_run/stretch_stages.h"
 #include "orchestrator/dem_run/tune_stage.h"
 #include "orchestrator/stages/mesh_stage.h"
+#include "orchestrator/stages/shared_stages.h"
 #include "orchestrator/stages/wear_stage.h"
 
 namespace millwear::orchestrator {
@@ -26,6 +28,15 @@ std::map<std::string, std::string> synced_outputs(const fs::path& folder) {
   return outputs;
 }
 
+/// Does the work, or takes what another campaign of the study has made of the same.
+void shared(const Campaign& campaign, const StageId& stage, const fs::path& into,
+            const std::function<void()>& work) {
+  if (campaign.shared_stages)
+    fill_shared(*campaign.shared_stages, hash_of_dem(campaign, stage), into, work);
+  else
+    work();
+}
+
 Outcome work_of(const Campaign& campaign, const StageId& stage, const fs::path& into,
                 Progress& progress) {
   switch (stage.kind) {
@@ -33,13 +44,14 @@ Outcome work_of(const Campaign& campaign, const StageId& stage, const fs::path& 
       mesh_stage(campaign, stage.cycle, into);
       return Outcome::go_on;
     case StageKind::mix:
-      mix_stage(campaign, stage.cycle, into, progress);
+      shared(campaign, stage, into, [&] { mix_stage(campaign, stage.cycle, into, progress); });
       return Outcome::go_on;
     case StageKind::tune:
       tune_stage(campaign, into, progress);
       return Outcome::go_on;
     case StageKind::dem:
-      dem_stage(campaign, stage.cycle, into, progress);
+      shared(campaign, stage, into, [&] { simulate_load(campaign, stage.cycle, into, progress); });
+      measure_load(campaign, stage.cycle, into, progress);
       return Outcome::go_on;
     case StageKind::wear:
       return wear_stage(campaign, stage.cycle, into);

@@ -43,7 +43,7 @@ case_of() {
     /^measure_revolutions/ { print "measure_revolutions =", measure; next }
     /^pair_revolutions/ { print "pair_revolutions = 0"; next }
     /^cycle_limit/ { print "cycle_limit =", cycles; next }
-    /^tune/ { next }
+    /^(tune|seed|ranks|skin_m|rank_split)/ { next }
     { print }' "$desktop/case.toml"
 }
 

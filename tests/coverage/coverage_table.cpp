@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "tests/coverage/coverage.h"
+#include "orchestrator/study/coverage.h"
 
 int main(int argc, char** argv) {
   using namespace millwear::orchestrator;

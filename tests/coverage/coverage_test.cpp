@@ -1,4 +1,4 @@
-#include "tests/coverage/coverage.h"
+#include "orchestrator/study/coverage.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "orchestrator/results/history.h"
 #include "tests/support/temporary_folder.h"
 
 namespace millwear::orchestrator {
@@ -22,7 +23,7 @@ Seeds even_campaigns(const std::vector<double>& shares, double error) {
     for (const double hours : {0.0, 10.0, 100.0})
       seeds.moments.push_back({seed, hours, 1.0 - 1e-3 * share * hours, 1e-3 * error * hours,
                                2.0 - 1e-3 * share * hours, 1e-3 * error * hours,
-                               1e-6 * share * hours, 1e-6 * error * hours});
+                               1e-6 * share * hours, 1e-6 * error * hours, 0.0});
     seeds.lives.push_back({seed, 100.0 / share, 100.0 - 1.96 * error, 100.0 + 1.96 * error});
   }
   return seeds;
@@ -68,6 +69,37 @@ TEST(Coverage, ReadsBackWhatIsKept) {
   const auto made = coverage_of(seeds);
   for (std::size_t i = 0; i < made.size(); ++i)
     EXPECT_NEAR(kept.at(i).ratio, made.at(i).ratio, 1e-4) << made.at(i).measure;
+}
+
+TEST(Roughness, RisesFromTheLeastSoFarOfTheSameCampaign) {
+  const auto moment = [](int seed, double roughness) {
+    return SeedMoment{seed, 0, 0, 0, 0, 0, 0, 0, roughness};
+  };
+  EXPECT_NEAR(greatest_rise_of_roughness(
+                  {moment(1, 5.0), moment(1, 2.0), moment(1, 3.0), moment(1, 2.5), moment(2, 9.0)}),
+              1.0, 1e-12);
+}
+
+// A liner under balls levels: a whole life long it becomes no rougher than it was, but for a
+// thousandth of a millimetre.
+TEST(KeptCampaigns, GrowNeitherFoldsNorPits) {
+  const Seeds seeds = read_seeds(std::filesystem::path(MILLWEAR_CASES) / "pilot_mill/coverage");
+  EXPECT_LT(greatest_rise_of_roughness(seeds.moments), 1e-6);
+}
+
+// The same of the 8 m mill's kept campaigns.
+TEST(KeptCampaigns, OfTheSeedMillGrowNeitherFoldsNorPits) {
+  const auto reference =
+      std::filesystem::path(MILLWEAR_CASES) / "seed_mill_8m_desktop" / "reference";
+  int kept = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(reference)) {
+    std::vector<SeedMoment> moments;
+    for (const HistoryRow& row : read_history_csv(entry.path() / "history.csv"))
+      moments.push_back({1, row.operating_hours, 0, 0, 0, 0, 0, 0, row.roughness});
+    EXPECT_LT(greatest_rise_of_roughness(moments), 2e-5) << entry.path();
+    ++kept;
+  }
+  EXPECT_GT(kept, 0);
 }
 
 // The judge of the bands: sixteen campaigns of the pilot mill (scripts/studies/coverage.sh). A

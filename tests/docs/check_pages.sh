@@ -3,7 +3,7 @@
 #   - every link leads to a file, and to a heading if it names one; sources name only pages that exist;
 #   - every code block says what it holds, and commands stand in ```sh blocks, which run_commands.sh runs;
 #   - every verb and option of millwear that a page names is in `millwear VERB --help`;
-#   - every key in a ```toml block is in docs/case_file.md;
+#   - every key in a ```toml block is in docs/case_file.md or docs/how_to_run_a_study.md;
 #   - docs/commands.md is what scripts/print_commands.sh prints, and CONTRIBUTING.md has every sub-room.
 #
 #   tests/docs/check_pages.sh PROGRAM [PAGE...]     from the root of the sources
@@ -104,12 +104,12 @@ check_commands() {
   done <"$work/commands"
 }
 
-sed -n 's/^| `\([a-z_]*\)` |.*/\1/p' docs/case_file.md >"$work/keys"
+sed -n 's/^| `\([a-z_]*\)` |.*/\1/p' docs/case_file.md docs/how_to_run_a_study.md >"$work/keys"
 check_keys() {
   awk '/^ *```/ { inside = !inside && $0 ~ /```toml/; next }
     inside && /^ *[a-z_]+ *=/ { print FNR "\t" $1 }' "$1" >"$work/used"
   while IFS="$tab" read -r line key; do
-    grep -qx "$key" "$work/keys" || fault "$1:$line: the case file has no key $key"
+    grep -qx "$key" "$work/keys" || fault "$1:$line: neither case file nor study file has a key $key"
   done <"$work/used"
 }
 

@@ -91,6 +91,10 @@ END
 # Why a command that is not run here would fail; empty if it would not.
 fault_of_named() {
   case $1 in
+    "make -f "*)
+      file=$(echo "$1" | awk '{ print $3 }')
+      make -n -f "$file" CASE=cases/pilot_mill/case.toml mesh >/dev/null 2>&1 || echo "there is no $file that make reads"
+      ;;
     "make "*)
       target=$(echo "$1" | awk '{ print $2 }')
       make -n "$target" >/dev/null 2>&1 || echo "there is no target $target"

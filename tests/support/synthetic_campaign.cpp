@@ -110,6 +110,7 @@ HistoryRow history_at(double age, double charge_age, int cycle, int step, double
           .plate_thickness = 0.0995 - 0.028 * age,
           .worn_volume = worn_area,
           .worn_fraction = worn_area / new_area,
+          .roughness = 0.0018 - 0.0012 * age,
           .power = 161e3 + 9e3 * charge_age - 14e3 * charge_age * charge_age,
           .shoulder = 0.95 - 0.21 * charge_age,
           .toe = 3.9 - 0.05 * charge_age,
@@ -254,7 +255,7 @@ CampaignResults synthetic_campaign(int cycles, int steps) {
     data.power.push_back(power_at(data.history.back(), random));
     data.motion.push_back(motion_of(data.history.back()));
     data.conservation.push_back(
-        {cycle, 0.0041, 0.0041 * (1.0 + 2e-8), 0.031, 4e-5, 2.0, 0.06, 1.2, "target reached"});
+        {cycle, 0.0041, 0.0041 * (1.0 + 2e-8), 0.031, 4e-5, 2.0, 0.06, 1.2, 1.1, "target reached"});
   }
   return data;
 }

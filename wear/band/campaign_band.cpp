@@ -94,7 +94,7 @@ CycleBand band_of_cycle(std::span<const WornCycle> cycles, std::size_t i,
   const UncertainLoad load{LoadInTime(in_use(loads, scheme)), scatter * cycle.deviations,
                            has_previous ? scatter * cycles[i - 1].deviations : Eigen::MatrixXd(),
                            growth_in(cycles, i)};
-  CycleBand band{{}, is_turned ? mirrored(before) : before};
+  CycleBand band{{}, is_turned ? mirrored(before) : before, scatter};
   double time = cycle.load.time;
   for (const WornStep& step : cycle.steps) {
     band.after = worn(band.after, load, time, step.duration, step.profile);

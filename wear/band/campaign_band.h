@@ -54,6 +54,7 @@ inline constexpr std::size_t band_looks_aside_after = 3;
 struct CycleBand {
   std::vector<LinerBand> steps;
   LinerReplicates after;  ///< the liners after the cycle, as the DEM turns it
+  double load_scatter;    ///< `birge_ratio` of the loads about it, by which it is widened [-]
 };
 
 /// The band of cycle number `cycle` of `cycles`, to which the cycle before has left the replicates

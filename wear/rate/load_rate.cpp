@@ -41,7 +41,7 @@ LoadRate rate_of_load(const WearSettings& settings, const std::vector<ParticleCl
   const double corrosion = std::exchange(by_contact.corrosion, 0.0);
   const Eigen::VectorXd raw = depth_rate(by_contact, load);
   const Eigen::MatrixXd by_block = as_independent(depth_rate_by_block(by_contact, load));
-  const Smoothing how{settings.smoothing, smallest_diameter(classes),
+  const Smoothing how{settings.smoothing, settings.resolution.value_or(smallest_diameter(classes)),
                       centre_path(liner, settings.bins, balls)};
   auto smooth = smoothed(load.bin_edges, raw, by_block, how);
   if (corrosion > 0.0) {

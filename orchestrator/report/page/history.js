@@ -41,6 +41,12 @@ function drawWornShare(container) {
       ({x: row.operating_hours, y: inPercent(row.worn_fraction)}))}]});
 }
 
+function drawRoughness(container) {
+  lineChart(container, {name: "Roughness", span: campaignHours, x: "operating hours", value: "mm", zero: true, place: hoursText,
+    text: (p) => fixed(2)(p.y) + " mm", series: [{name: "predicted", colour: steelColour, marks: true, points: data.history.map((row) =>
+      ({x: row.operating_hours, y: inMillimetres(row.roughness)}))}]});
+}
+
 const withError = (p, digits, unit) =>
   fixed(digits)(p.y) + (known(p.error) ? " ± " + significant(2)(p.error) : "") + " " + unit;
 

@@ -39,6 +39,7 @@ fillWarnings();
 drawProfilesOverTime(at("profiles-over-time"));
 drawHeight(at("height-chart"));
 drawWornShare(at("worn-chart"));
+drawRoughness(at("roughness-chart"));
 startCalibrated();
 drawPower(at("power-chart"));
 drawPowerSeries(at("power-series-chart"));

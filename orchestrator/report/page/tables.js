@@ -30,6 +30,7 @@ function fillHistory() {
     {head: "±", unit: "mm", se: true, text: (row) => significant(2)(inMillimetres(row.plate_thickness_error))},
     {head: "Worn section", unit: "cm²", text: (row) => fixed(1)(known(row.worn_volume) ? 1e4 * row.worn_volume : null)},
     {head: "Worn share", unit: "%", text: (row) => fixed(1)(inPercent(row.worn_fraction))},
+    {head: "Roughness", unit: "mm", text: (row) => fixed(2)(inMillimetres(row.roughness))},
     {head: "Power", unit: scale.unit, text: (row) => fixed(2)(per(row.power))},
     {head: "±", unit: scale.unit, se: true, text: (row) => significant(2)(per(row.power_error))},
     {head: "Shoulder", unit: "°", text: (row) => fixed(1)(inDegrees(row.shoulder))},
@@ -60,6 +61,7 @@ function fillConservation() {
     {head: "Measured for", unit: "revolutions", text: (row) => significant(3)(row.revolutions)},
     {head: "Rate at its peaks", unit: "± %", text: (row) => significant(2)(inPercent(row.peak_error))},
     {head: "Path over slip", text: (row) => fixed(2)(row.path_over_slip)},
+    {head: "Scatter of loads", text: (row) => fixed(2)(row.load_scatter)},
     {head: "Measurement ended", text: (row) => row.end},
   ], () => false);
 }

@@ -22,13 +22,13 @@ using testing::Not;
 const fs::path pilot = fs::path(MILLWEAR_CASES) / "pilot_mill" / "case.toml";
 
 /// The pilot mill's lifter of 40 mm, worn by 10 mm in each of three steps of 100 h.
-std::vector<HistoryRow> history() {
+std::vector<HistoryRow> history(double first_loss = 0.01) {
   std::vector<HistoryRow> rows;
   for (int step = 0; step <= 3; ++step) {
     HistoryRow row{};
     row.step = step;
     row.operating_hours = 100.0 * step;
-    row.lifter_height = 0.04 - 0.01 * step;
+    row.lifter_height = 0.04 - 0.01 * step + (step == 1 ? 0.01 - first_loss : 0.0);
     row.plate_thickness = 0.02;
     rows.push_back(row);
   }
@@ -65,7 +65,7 @@ class CompareVerb : public testing::Test {
   CompareOptions asked() const {
     CompareOptions made;
     made.common.case_file = pilot;
-    made.out = folder.path();
+    made.outs = {folder.path()};
     made.readings = folder.path() / "gauge";
     made.calibrate_until = 250.0;
     return made;
@@ -102,6 +102,60 @@ TEST_F(CompareVerb, CalibratesAlongTheResultsOfACampaign) {
   EXPECT_THAT(text_of(*with_files.csv),
               testing::StartsWith("# millwear calibrated comparison 1\noperating_hours,use,"));
   EXPECT_THAT(text_of(*with_files.csv), HasSubstr("\n300,held out,0.0245,0.001,0.025,0.02"));
+}
+
+/// Folders of campaigns that lost 10 and 8 mm in the first step, and the same later.
+class CompareRepeats : public CompareVerb {
+ protected:
+  void keep_campaign(const fs::path& root, double first_loss, int seed) const {
+    fs::create_directories(root);
+    put_text(root / "history.csv", history_csv(history(first_loss)));
+    Case run = read_case(pilot);
+    run.dem.seed = seed;
+    put_text(root / "case.lock.toml", locked_case_text(run));
+  }
+  [[nodiscard]] CompareOptions asked_for_both() const {
+    CompareOptions made = asked();
+    made.outs = {first, second};
+    return made;
+  }
+  const fs::path first = folder.path() / "seed_1";
+  const fs::path second = folder.path() / "seed_2";
+};
+
+// 10 mm at 200 h are lost after 100 and 110 h of the campaigns: factors 0.5 and 0.6; at 300 h they
+// have 40 - 15 and 40 - 18 + ... mm.
+TEST_F(CompareRepeats, ShowsTheirMeanAndScatter) {
+  keep_campaign(first, 0.01, 1);
+  keep_campaign(second, 0.008, 2);
+  const std::string text = printed(asked_for_both());
+  EXPECT_THAT(text, HasSubstr("2 campaigns, seeds 1, 2, each calibrated"));
+  EXPECT_THAT(text, HasSubstr("the straight line by 0.5 mm"));
+  EXPECT_THAT(text, HasSubstr("seed 1"));
+}
+
+TEST_F(CompareRepeats, RefusesTheSameSeedTwice) {
+  keep_campaign(first, 0.01, 1);
+  keep_campaign(second, 0.008, 1);
+  EXPECT_THAT(failure_of<Failure>([&] { compare_verb(asked_for_both()); }),
+              HasSubstr("both campaigns have seed 1"));
+}
+
+TEST_F(CompareRepeats, RefusesCampaignsThatDifferInMore) {
+  keep_campaign(first, 0.01, 1);
+  keep_campaign(second, 0.008, 2);
+  Case other = read_case(pilot);
+  other.dem.seed = 2;
+  other.dem.settle_pitches += 1;
+  put_text(second / "case.lock.toml", locked_case_text(other));
+  EXPECT_THAT(failure_of<Failure>([&] { compare_verb(asked_for_both()); }),
+              HasSubstr("besides the seed it differs in [dem] `settle_pitches`"));
+}
+
+TEST_F(CompareRepeats, RefusesThemWithoutACalibration) {
+  CompareOptions as_run = asked_for_both();
+  as_run.calibrate_until = 0.0;
+  EXPECT_THAT(failure_of<Failure>([&] { compare_verb(as_run); }), HasSubstr("or name one"));
 }
 
 TEST_F(CompareVerb, DrawsAPicture) {

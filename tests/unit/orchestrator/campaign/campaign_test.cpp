@@ -101,6 +101,19 @@ TEST(Campaign, StopsAtItsLastCycleAndGoesOnWhenThatIsRaised) {
   EXPECT_EQ(next_stage(one_cycle, {2})->stage, (StageId{1, StageKind::mesh}));
 }
 
+TEST(Campaign, RunsNoFurtherThanAStage) {
+  FakeWorld world{.last_cycle = 1};
+  CampaignPlan plan{20};
+  plan.until = StageId{0, StageKind::dem};
+  const Ledger some = run_campaign(new_ledger, plan, world.effects());
+  EXPECT_EQ(world.published.back(), "cycle 0 dem");
+  world.published.clear();
+  const Ledger same = run_campaign(some, plan, world.effects());
+  EXPECT_THAT(world.published, IsEmpty());
+  run_campaign(same, {20}, world.effects());
+  EXPECT_EQ(world.published.front(), "cycle 0 wear");
+}
+
 TEST(Campaign, FinishedOneRunsNothing) {
   FakeWorld world{.last_cycle = 1};
   const Ledger finished = run_campaign(new_ledger, {20}, world.effects());

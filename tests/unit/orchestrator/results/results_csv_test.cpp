@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "mill/base/failure.h"
-#include "orchestrator/results/column_pages.h"
+#include "orchestrator/app/column_pages.h"
 #include "orchestrator/results/history.h"
 #include "orchestrator/results/profiles.h"
 #include "orchestrator/results/wear_rates.h"
@@ -42,6 +42,7 @@ HistoryRow example_row() {
           .plate_thickness = 0.0995,
           .worn_volume = 1e-7,
           .worn_fraction = 0.1,
+          .roughness = 0.00125,
           .power = 161250.0,
           .shoulder = 52.0 * degree,
           .toe = 221.5 * degree,
@@ -73,14 +74,15 @@ std::string refusal(Read read) {
 
 TEST_F(ResultsCsv, HistoryIsWrittenInTheUnitsOfItsColumns) {
   EXPECT_EQ(history_csv({example_row()}),
-            "# millwear history 3\n"
+            "# millwear history 4\n"
             "cycle,step,operating_hours,tonnes,lifter_height_m,face_angle_deg,plate_thickness_m,"
-            "worn_volume_m3_per_m,worn_fraction,power_w,shoulder_deg,toe_deg,"
+            "worn_volume_m3_per_m,worn_fraction,roughness_m,power_w,shoulder_deg,toe_deg,"
             "power_w_se,shoulder_deg_se,toe_deg_se,lifter_height_m_se,plate_thickness_m_se,"
             "worn_volume_m3_per_m_se,airborne_share,airborne_share_se,bare_hit_power_w,"
             "bare_hit_power_w_se,dead_zone_share,dead_zone_share_se,"
             "between_lifters_locked_share,between_lifters_locked_share_se\n"
-            "3,2,0.3333333333333333,,0.215,12.5,0.0995,1e-07,0.1,161250,52,221.5,1400,0.7,,0.002,0."
+            "3,2,0.3333333333333333,,0.215,12.5,0.0995,1e-07,0.1,0.00125,161250,52,221.5,1400,0.7,,"
+            "0.002,0."
             "0005,,0.125,0.001,2500,30.5,0.18,0.02,0.75,\n");
 }
 
@@ -149,11 +151,11 @@ TEST_F(ResultsCsv, ProfilesReadBackAsTheyWere) {
 
 TEST_F(ResultsCsv, AnotherVersionIsRefusedWithItsLine) {
   auto text = history_csv({example_row()});
-  text.replace(text.find(" 3\n"), 3, " 2\n");
+  text.replace(text.find(" 4\n"), 3, " 2\n");
   write(text);
   EXPECT_THAT(refusal([this] { (void)read_history_csv(file); }),
               AllOf(StartsWith(file.string() + ":1: "), HasSubstr("millwear history 2"),
-                    HasSubstr("millwear history 3")));
+                    HasSubstr("millwear history 4")));
 }
 
 TEST_F(ResultsCsv, OtherColumnsAreRefusedWithTheirLine) {

@@ -1,0 +1,206 @@
+#include "orchestrator/app/study_verb.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <map>
+#include <thread>
+#include <utility>
+
+#include "mill/base/failure.h"
+#include "mill/base/published_file.h"
+#include "mill/base/whole_file.h"
+#include "mill/case_file/case_file.h"
+#include "orchestrator/campaign/output_path.h"
+#include "orchestrator/campaign/run_lock.h"
+#include "orchestrator/dem_run/stretch_run.h"
+#include "orchestrator/study/design_search.h"
+#include "orchestrator/study/search_study.h"
+#include "orchestrator/study/study_page.h"
+#include "orchestrator/study/study_results.h"
+#include "orchestrator/study/study_tables.h"
+
+namespace millwear::orchestrator {
+namespace {
+
+namespace fs = std::filesystem;
+
+Study study_from(const StudyOptions& options) {
+  Study study = options.axes.empty() ? read_study(options.common.case_file)
+                                     : study_of_case(options.common.case_file, options.axes);
+  if (options.replicates) study.replicates = *options.replicates;
+  if (options.objective) study.objective = objective_from(*options.objective);
+  if (const std::size_t points = point_count(study); points > options.most_points)
+    throw Failure(
+        ExitCode::usage,
+        fmt::format("{}: the study has {} points, and --most-points allows {}; vary less, "
+                    "or allow more",
+                    study.file.string(), points, options.most_points));
+  return study;
+}
+
+int cores_here() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+
+std::vector<std::string> command_for(const fs::path& folder, int ranks) {
+  return {fs::read_symlink("/proc/self/exe").string(),
+          "run",
+          (folder / "case.toml").string(),
+          "--shared",
+          (folder.parent_path().parent_path() / "shared").string(),
+          "--out",
+          folder.string(),
+          "--ranks",
+          std::to_string(ranks),
+          "--quiet"};
+}
+
+void print_plan(const StudyPlan& plan, const std::vector<fs::path>& folders,
+                const std::vector<StateOfCampaign>& states, const JobShare& share) {
+  double seconds = 0.0;
+  for (std::size_t i = 0; i < plan.campaigns.size(); ++i) {
+    const StudyCampaign& campaign = plan.campaigns[i];
+    std::string values;
+    for (std::size_t axis = 0; axis < plan.study.axes.size(); ++axis)
+      values += fmt::format("{} = {}, ", plan.study.axes[axis].key,
+                            plan.points[campaign.point].labels[axis]);
+    fmt::print(
+        "{}  {}seed {}: {} particles, time step {:.3g} s, about {} of DEM to the first wear; "
+        "{}\n",
+        folders[i].filename().string(), values, campaign.seed, campaign.particles,
+        campaign.time_step, spoken_time(campaign.cost / share.ranks), states[i].why);
+    if (states[i].state != CampaignState::done) seconds += campaign.cost / share.ranks;
+  }
+  fmt::print(
+      "{} points, {} campaigns, {} side by side on {} rank{} each: about {} to the first "
+      "wear of all that are to run (within a factor of three)\n",
+      plan.points.size(), plan.campaigns.size(), share.jobs, share.ranks,
+      share.ranks == 1 ? "" : "s", spoken_time(seconds / share.jobs));
+}
+
+void publish_study(const StudyFolder& folder, const StudyResults& results) {
+  publish(folder.table(), study_csv(results));
+  publish(folder.json(), study_json(results));
+  publish(folder.page(), study_html(results, installed_d3()));
+}
+
+/// What a study works with.
+struct StudyWork {
+  const StudyOptions& options;
+  StudyFolder folder;
+  JobShare share;
+  Progress& progress;
+};
+
+/// Runs what is missing of a plan and returns what is known then.
+StudyResults results_of(const StudyWork& work, const StudyPlan& plan) {
+  const auto folders = folders_of(work.folder, plan);
+  // What is asked of the results is checked before anything runs.
+  static_cast<void>(study_results(plan, folders, states_of(work.folder, folders)));
+  keep_plan(work.folder, plan, folders);
+  link_by_value(work.folder, plan, folders);
+  run_campaigns(work.folder, plan, folders,
+                {work.share.jobs, work.share.ranks, work.options.on_fail,
+                 work.options.retry_failed ? Failed::retry : Failed::leave, command_for},
+                work.progress);
+  return study_results(plan, folders, states_of(work.folder, folders));
+}
+
+/// Tries as many points as the search may, so many at once as run side by side. The places stand in
+/// `search.csv` before they are run.
+StudyResults search(const StudyWork& work, const Study& study) {
+  const fs::path file = work.folder.root / "search.csv";
+  auto places = read_places(file, study);
+  const auto budget = static_cast<std::size_t>(study.samples);
+  std::vector<SearchValue> found;
+  for (;;) {
+    if (!places.empty()) {
+      StudyResults results = results_of(work, plan_of(with_places(study, places)));
+      if (places.size() >= budget) return results;
+      found = values_of(results, places);
+    }
+    const std::size_t count =
+        std::min(budget - places.size(), static_cast<std::size_t>(work.share.jobs));
+    for (auto& place : next_places(intervals_of(study), found, count, study.seed))
+      places.push_back(std::move(place));
+    write_places(file, study, places);
+  }
+}
+
+void print_results(const StudyOptions& options, const StudyFolder& folder,
+                   const StudyResults& results) {
+  if (options.common.form == OutputForm::json)
+    fmt::print("{}", study_json(results));
+  else
+    fmt::print("{}page: {}\n", study_text(results), folder.page().string());
+  const auto failed = std::ranges::count_if(results.states, [](const StateOfCampaign& one) {
+    return one.state == CampaignState::failed;
+  });
+  if (failed > 0)
+    throw Failure(ExitCode::external_program_failed,
+                  fmt::format("{} campaign{} failed; see run.log in {}, and give --retry-failed to "
+                              "try again",
+                              failed, failed == 1 ? "" : "s", folder.points().string()));
+}
+
+}  // namespace
+
+void add_options(CLI::App& verb, StudyOptions& options) {
+  add_options(verb, options.common);
+  const std::map<std::string, OnFail> on_fail{{"continue", OnFail::go_on}, {"stop", OnFail::stop}};
+  verb.add_option("--axis", options.axes,
+                  "Vary a key of the case, which then stands in the place of the study file: "
+                  "KEY=VALUE,VALUE or KEY=LOW:HIGH:STEP; may be given more than once")
+      ->allow_extra_args(false);
+  verb.add_option("--objective", options.objective,
+                  "What best means: \"maximise life_hours\", \"minimise power_w / life_hours\"");
+  verb.add_option("--replicates", options.replicates,
+                  "Campaigns of each point that differ in the seed, instead of the study's")
+      ->check(CLI::Range(1, 1000));
+  verb.add_option("--out", options.out, "Folder of the study; by default studies/NAME");
+  verb.add_option("--jobs", options.jobs,
+                  "Campaigns side by side, by default as many as there are cores; the ranks of all "
+                  "never pass the cores")
+      ->check(CLI::Range(1, 100000));
+  verb.add_option("--most-points", options.most_points, "Refuse a study with more points")
+      ->capture_default_str();
+  verb.add_option(
+          "--on-fail", options.on_fail,
+          "What becomes of the others once a campaign failed: continue (by default) or stop")
+      ->transform(CLI::CheckedTransformer(on_fail).description(""));
+  verb.add_flag("--retry-failed", options.retry_failed, "Try campaigns again that failed before");
+  verb.add_flag("--dry-run", options.dry_run,
+                "Print every campaign with its cost and why it would run, and run none");
+  verb.add_flag("--explain", options.explain, "Print the same, and run");
+}
+
+void study_verb(const StudyOptions& options) {
+  const Study study = study_from(options);
+  const StudyFolder folder{options.out.empty() ? fs::path("studies") / study.name : options.out};
+  check_output_folder("--out", folder.root);
+  const Case base = read_case(study.case_file);
+  const JobShare share = job_share(cores_here(), options.jobs, base.dem.ranks);
+  const bool is_search = study.combine == Combine::search;
+  if (options.dry_run || options.explain) {
+    const StudyPlan plan = plan_of(
+        is_search ? with_places(study, read_places(folder.root / "search.csv", study)) : study);
+    const auto folders = folders_of(folder, plan);
+    print_plan(plan, folders, states_of(folder, folders), share);
+    if (is_search)
+      fmt::print("{} of {} points are chosen; the others follow from their results\n",
+                 plan.points.size(), study.samples);
+  }
+  if (options.dry_run) return;
+  check_liggghts_is_installed(base.dem.contact_path);
+  if (!is_search) static_cast<void>(plan_of(study));  // refused before anything is written
+
+  make_folder(folder.root);
+  const RunLock lock(folder.lock());
+  Progress progress(options.common.verbosity);
+  const StudyWork work{options, folder, share, progress};
+  const StudyResults results = is_search ? search(work, study) : results_of(work, plan_of(study));
+  publish_study(folder, results);
+  print_results(options, folder, results);
+}
+
+}  // namespace millwear::orchestrator

@@ -1,0 +1,147 @@
+#include "orchestrator/stages/shared_stages.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <sstream>
+#include <thread>
+
+#include "mill/base/failure.h"
+#include "mill/base/published_file.h"
+#include "mill/base/version.h"
+#include "mill/base/whole_file.h"
+#include "mill/case_file/case_lock.h"
+#include "orchestrator/campaign/ledger.h"
+#include "orchestrator/dem_run/tune_stage.h"
+#include "orchestrator/process/child_process.h"
+
+namespace millwear::orchestrator {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr auto between_tries = std::chrono::milliseconds(200);
+constexpr const char* hashes_file = ".hashes";
+
+/// The case as far as the DEM depends on it.
+Case dem_case(const Campaign& campaign, const StageId& stage) {
+  Case mill = case_of_stretch(campaign, stage);
+  mill.name.clear();
+  const auto reversals = mill.campaign.reversal_times;
+  mill.campaign = {.height_limit = 0.0, .plate_limit = 0.0};
+  mill.campaign.reversal_times = reversals;
+  if (mill.dem.error_target) return mill;
+  WearSettings recorded{};
+  recorded.bins = mill.wear.bins;
+  recorded.time_blocks = mill.wear.time_blocks;
+  recorded.excess_speed = mill.wear.excess_speed;
+  recorded.mechanisms = {{.law = WearLaw::archard, .specific_wear_rate = 1.0}};
+  mill.wear = recorded;
+  return mill;
+}
+
+std::string text_of(const LinerProfile& liner) {
+  std::string text;
+  for (const auto& node : liner.nodes) text += fmt::format("{} {}\n", node.x(), node.y());
+  return text;
+}
+
+/// Holds a file for this process alone, waiting for others.
+class WaitingLock {
+ public:
+  explicit WaitingLock(const fs::path& file)
+      : fd_(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
+    if (fd_ < 0)
+      throw DiskError(fmt::format("{}: cannot be opened: {}", file.string(), std::strerror(errno)));
+    while (::flock(fd_, LOCK_EX | LOCK_NB) != 0) {
+      std::this_thread::sleep_for(between_tries);
+      try {
+        stop_if_interrupted();
+      } catch (...) {
+        ::close(fd_);
+        throw;
+      }
+    }
+  }
+  ~WaitingLock() { ::close(fd_); }
+  WaitingLock(const WaitingLock&) = delete;
+  WaitingLock& operator=(const WaitingLock&) = delete;
+
+ private:
+  int fd_;
+};
+
+void link_or_copy(const fs::path& from, const fs::path& to) {
+  std::error_code failed;
+  fs::create_hard_link(from, to, failed);
+  if (failed) fs::copy_file(from, to);
+}
+
+/// Whether a stored stage is as it was left.
+bool is_whole(const fs::path& stored) {
+  if (!fs::exists(stored / hashes_file)) return false;
+  std::istringstream text(read_file(stored / hashes_file));
+  std::string hash;
+  std::string name;
+  while (text >> hash >> name)
+    if (!fs::exists(stored / name) || hash_of_file(stored / name) != hash) return false;
+  return true;
+}
+
+void take(const fs::path& stored, const fs::path& into) {
+  for (const auto& file : fs::directory_iterator(stored))
+    if (file.path().filename() != hashes_file)
+      link_or_copy(file.path(), into / file.path().filename());
+}
+
+/// Leaves the files of a folder in the store by one rename.
+void leave(const fs::path& from, const fs::path& stored) {
+  const fs::path partial = stored.string() + ".partial";
+  fs::remove_all(partial);
+  fs::remove_all(stored);
+  make_folder(partial);
+  std::string hashes;
+  for (const auto& file : fs::directory_iterator(from)) {
+    const std::string name = file.path().filename().string();
+    sync_path(file.path());
+    link_or_copy(file.path(), partial / name);
+    hashes += fmt::format("{} {}\n", hash_of_file(file.path()), name);
+  }
+  publish(partial / hashes_file, hashes);
+  fs::rename(partial, stored);
+  sync_path(stored.parent_path());
+}
+
+}  // namespace
+
+std::string hash_of_dem(const Campaign& campaign, const StageId& stage) {
+  std::string charge;
+  const bool goes_on = stage.kind == StageKind::dem;
+  if (goes_on) {
+    const bool is_first = first_cycle_of_rotation(campaign, stage.cycle) == stage.cycle;
+    const StageId before =
+        is_first ? StageId{stage.cycle, StageKind::mix} : StageId{stage.cycle - 1, StageKind::dem};
+    charge = hash_of_file(campaign.folder.stage(before) / "charge.restart");
+  }
+  return hash_of_text(fmt::format("{}\n{}\n{} {}\n{}\n{}",
+                                  locked_case_text(dem_case(campaign, stage)),
+                                  text_of(dem_liner_of_cycle(campaign, stage.cycle)),
+                                  name_of(stage), campaign.ranks, charge, program_version()));
+}
+
+void fill_shared(const fs::path& store, const std::string& hash, const fs::path& into,
+                 const std::function<void()>& work) {
+  make_folder(store);
+  const fs::path stored = store / hash;
+  const WaitingLock lock(store / (hash + ".lock"));
+  if (is_whole(stored)) return take(stored, into);
+  work();
+  leave(into, stored);
+}
+
+}  // namespace millwear::orchestrator

@@ -26,6 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr auto between_tries = std::chrono::milliseconds(200);
+const WearMechanism any_law{.law = WearLaw::archard, .specific_wear_rate = 1.0};
 constexpr const char* hashes_file = ".hashes";
 
 /// The case as far as the DEM depends on it.
@@ -35,12 +36,21 @@ Case dem_case(const Campaign& campaign, const StageId& stage) {
   const auto reversals = mill.campaign.reversal_times;
   mill.campaign = {.height_limit = 0.0, .plate_limit = 0.0};
   mill.campaign.reversal_times = reversals;
+  if (stage.kind == StageKind::mix) {
+    const DemSettings standard;
+    mill.dem.error_target.reset();
+    mill.dem.measure_revolutions = standard.measure_revolutions;
+    mill.dem.pair_revolutions = standard.pair_revolutions;
+    mill.dem.keep_events = standard.keep_events;
+    mill.wear = {};
+    mill.wear.mechanisms = {any_law};
+  }
   if (mill.dem.error_target) return mill;
   WearSettings recorded{};
   recorded.bins = mill.wear.bins;
   recorded.time_blocks = mill.wear.time_blocks;
   recorded.excess_speed = mill.wear.excess_speed;
-  recorded.mechanisms = {{.law = WearLaw::archard, .specific_wear_rate = 1.0}};
+  recorded.mechanisms = {any_law};
   mill.wear = recorded;
   return mill;
 }

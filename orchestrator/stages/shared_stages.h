@@ -9,9 +9,9 @@
 namespace millwear::orchestrator {
 
 /// All that decides what the DEM of a stage (mix or dem) gives, as one hash: the case but for wear
-/// law, smoothing, limits and name, the cycle's liner, the charge it begins with, ranks and
-/// program. Campaigns with the same hash simulate the same, to the bit. Where a measurement goes on
-/// until a rate is known, the law counts as well.
+/// law, smoothing, limits and name, and before a measurement but for how that is made, the cycle's
+/// liner, the charge it begins with, ranks and program. Campaigns with the same hash simulate the
+/// same, to the bit. Where a measurement goes on until a rate is known, the law counts as well.
 [[nodiscard]] std::string hash_of_dem(const Campaign& campaign, const StageId& stage);
 
 /// Fills a stage's folder from the store of a study, where another campaign has left a stage of

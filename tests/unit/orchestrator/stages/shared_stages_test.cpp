@@ -77,11 +77,19 @@ TEST_F(SharedStages, AreWaitedFor) {
 
 Case pilot() { return read_case(fs::path(MILLWEAR_CASES) / "pilot_mill" / "case.toml"); }
 
-std::string hash_of_mixing(const Case& mill, int ranks = 1) {
-  return hash_of_dem({mill, {"nowhere"}, ranks}, {0, StageKind::mix});
-}
+class HashOfDem : public testing::Test {
+ protected:
+  HashOfDem() {
+    fs::create_directories(folder.path() / "cycle_000" / "mix");
+    put_text(folder.path() / "cycle_000" / "mix" / "charge.restart", "a charge");
+  }
+  std::string hash(const Case& mill, StageKind kind = StageKind::dem, int ranks = 1) const {
+    return hash_of_dem({mill, {folder.path()}, ranks}, {0, kind});
+  }
+  const TemporaryFolder folder;
+};
 
-TEST(HashOfDem, DoesNotDependOnWhatComesAfterTheDem) {
+TEST_F(HashOfDem, DoesNotDependOnWhatComesAfterTheDem) {
   Case other = pilot();
   other.name = "other";
   other.wear.mechanisms.front().specific_wear_rate *= 2.0;
@@ -89,29 +97,37 @@ TEST(HashOfDem, DoesNotDependOnWhatComesAfterTheDem) {
   other.wear.resolution = 0.01;
   other.campaign.height_limit = 0.02;
   other.campaign.scheme = Scheme::adaptive;
-  EXPECT_EQ(hash_of_mixing(other), hash_of_mixing(pilot()));
+  EXPECT_EQ(hash(other), hash(pilot()));
+  EXPECT_EQ(hash(other, StageKind::mix), hash(pilot(), StageKind::mix));
 }
 
-TEST(HashOfDem, DependsOnWhatIsSimulated) {
-  const std::string same = hash_of_mixing(pilot());
+TEST_F(HashOfDem, DependsOnWhatIsSimulated) {
+  const std::string same = hash(pilot());
   Case seed = pilot();
   seed.dem.seed = 2;
-  EXPECT_NE(hash_of_mixing(seed), same);
+  EXPECT_NE(hash(seed), same);
   Case liner = pilot();
   liner.liner.nodes[2].y() += 1e-9;
-  EXPECT_NE(hash_of_mixing(liner), same);
-  Case blocks = pilot();
-  blocks.wear.time_blocks = 12;
-  EXPECT_NE(hash_of_mixing(blocks), same);
-  EXPECT_NE(hash_of_mixing(pilot(), 2), same);
+  EXPECT_NE(hash(liner), same);
+  EXPECT_NE(hash(pilot(), StageKind::dem, 2), same);
+  put_text(folder.path() / "cycle_000" / "mix" / "charge.restart", "another charge");
+  EXPECT_NE(hash(pilot()), same);
 }
 
-TEST(HashOfDem, DependsOnTheLawWhereTheMeasurementGoesOnByIt) {
+TEST_F(HashOfDem, OfMixingDoesNotDependOnTheMeasurement) {
+  Case longer = pilot();
+  longer.dem.measure_revolutions = 3.0;
+  longer.wear.time_blocks = 12;
+  EXPECT_NE(hash(longer), hash(pilot()));
+  EXPECT_EQ(hash(longer, StageKind::mix), hash(pilot(), StageKind::mix));
+}
+
+TEST_F(HashOfDem, DependsOnTheLawWhereTheMeasurementGoesOnByIt) {
   Case one = pilot();
   one.dem.error_target = ErrorTarget{0.05, 2.0};
   Case other = one;
   other.wear.mechanisms.front().law = WearLaw::finnie;
-  EXPECT_NE(hash_of_mixing(one), hash_of_mixing(other));
+  EXPECT_NE(hash(one), hash(other));
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ found 3 "no heading #nowhere"
 found 8 "no verb chekc"
 found 10 "compare has no --calibrate-untill"
 found 10 "no verb has --calibrate-untill"
-found 13 "no key mix_revolutons"
+found 13 "has a key mix_revolutons"
 found 16 "nobody runs it"
 found 18 "does not say what it holds"
 

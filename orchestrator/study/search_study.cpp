@@ -9,6 +9,7 @@
 #include "mill/base/csv.h"
 #include "mill/base/failure.h"
 #include "mill/base/published_file.h"
+#include "orchestrator/study/study_values.h"
 
 namespace millwear::orchestrator {
 namespace {

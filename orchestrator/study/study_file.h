@@ -6,19 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "mill/case_keys/case_document.h"
+#include "orchestrator/study/study_axes.h"
 
 namespace millwear::orchestrator {
-
-/// One thing that a study varies.
-struct StudyAxis {
-  std::string key;  ///< of the case, by its dotted name, or a derived one (study/derived_axes.h)
-  int line;         ///< of the study file
-  std::vector<CaseValue> values;    ///< none where the axis is an interval
-  std::vector<std::string> labels;  ///< of the values, as tables and folders show them
-  double low = 0.0;                 ///< of an interval, for `latin_hypercube`
-  double high = 0.0;
-};
 
 /// How the values of several axes become points.
 enum class Combine {
@@ -73,8 +63,5 @@ struct Study {
 
 /// "maximise life_hours"
 [[nodiscard]] std::string spoken(const Objective& objective);
-
-/// A value as tables and folders show it.
-[[nodiscard]] std::string label_of(const CaseValue& value);
 
 }  // namespace millwear::orchestrator

@@ -18,6 +18,7 @@
 #include "orchestrator/campaign/ledger.h"
 #include "orchestrator/dem_run/cost_estimate.h"
 #include "orchestrator/study/derived_axes.h"
+#include "orchestrator/study/study_values.h"
 #include "wear/numerics/random_stream.h"
 
 namespace millwear::orchestrator {

@@ -13,7 +13,7 @@
 namespace millwear {
 
 Case read_case(const std::filesystem::path& file) {
-  return case_from_text(read_text_file(file), file);
+  return case_from_document(read_case_document(file));
 }
 
 Case case_from_text(std::string_view text, const std::filesystem::path& file) {
@@ -22,9 +22,7 @@ Case case_from_text(std::string_view text, const std::filesystem::path& file) {
 }
 
 CaseDocument read_case_document(const std::filesystem::path& file) {
-  const std::string text = read_text_file(file);
-  check_plain_text(text, file);
-  return parse_case_document(text, file);
+  return parse_case_document(read_text_file(file), file);
 }
 
 Case case_from_document(const CaseDocument& document) {

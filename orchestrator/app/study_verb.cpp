@@ -95,8 +95,6 @@ struct StudyWork {
 /// Runs what is missing of a plan and returns what is known then.
 StudyResults results_of(const StudyWork& work, const StudyPlan& plan) {
   const auto folders = folders_of(work.folder, plan);
-  // What is asked of the results is checked before anything runs.
-  static_cast<void>(study_results(plan, folders, states_of(work.folder, folders)));
   keep_plan(work.folder, plan, folders);
   link_by_value(work.folder, plan, folders);
   run_campaigns(work.folder, plan, folders,
@@ -176,6 +174,7 @@ void add_options(CLI::App& verb, StudyOptions& options) {
 
 void study_verb(const StudyOptions& options) {
   const Study study = study_from(options);
+  check_columns(study);
   const StudyFolder folder{options.out.empty() ? fs::path("studies") / study.name : options.out};
   check_output_folder("--out", folder.root);
   const Case base = read_case(study.case_file);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "mill/base/constants.h"
@@ -10,19 +11,19 @@
 #include "mill/case_file/case_edit.h"
 #include "mill/case_file/case_file.h"
 #include "mill/liner/profile_measures.h"
+#include "orchestrator/study/study_values.h"
 
 namespace millwear::orchestrator {
 namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 double circumference(const Case& mill) {
   return 2.0 * std::numbers::pi * mill.liner.sector.plate_radius;
 }
 
 double number_above_zero(std::string_view axis, const CaseValue& value) {
-  double number = 0.0;
-  if (const auto* const real = std::get_if<double>(&value.data)) number = *real;
-  if (const auto* const whole = std::get_if<std::int64_t>(&value.data))
-    number = static_cast<double>(*whole);
+  const double number = number_of(value).value_or(0.0);
   if (number > 0.0 && std::isfinite(number)) return number;
   throw InputError(fmt::format("a value of `{}` is no number above zero", axis));
 }
@@ -30,14 +31,13 @@ double number_above_zero(std::string_view axis, const CaseValue& value) {
 double lifter_number(const CaseDocument& document, std::string_view key) {
   const CaseTable* const lifter = document.find("lifter");
   const CaseValue* const value = lifter != nullptr ? lifter->find(key) : nullptr;
-  if (value == nullptr)
+  const double number = value != nullptr ? number_of(*value).value_or(nan) : nan;
+  if (std::isnan(number))
     throw InputError(
         fmt::format("the lifter has no `{}`: it is given by its profile, not by "
                     "height, width and face angles; vary `mill.rows` or `spacing_m`",
                     key));
-  if (const auto* const whole = std::get_if<std::int64_t>(&value->data))
-    return static_cast<double>(*whole);
-  return std::get<double>(value->data);
+  return number;
 }
 
 /// Width of a lifter where it stands on the plate.

@@ -1,7 +1,6 @@
 #pragma once
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "mill/case/case.h"
 #include "mill/case_keys/case_document.h"

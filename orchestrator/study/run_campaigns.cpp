@@ -62,7 +62,6 @@ struct RunningCampaign {
   JobRecord record;
   Clock::time_point started;
   std::unique_ptr<ChildProcess> process;
-  double share = 0.0;  ///< of its life
 };
 
 /// The share of its life that a campaign has behind it, by its last published wear.
@@ -98,13 +97,13 @@ struct Course {
   int failed;
 };
 
-void show(Course& course, const std::vector<fs::path>& all, Progress& progress) {
+void show(const Course& course, const std::vector<fs::path>& all, Progress& progress) {
   std::string shares;
   double share = static_cast<double>(course.done);
-  for (auto& one : course.running) {
-    one.share = share_so_far(all[one.number]);
-    share += one.share;
-    shares += fmt::format("{}{:.0f} %", shares.empty() ? "" : ", ", 100.0 * one.share);
+  for (const auto& one : course.running) {
+    const double of_life = share_so_far(all[one.number]);
+    share += of_life;
+    shares += fmt::format("{}{:.0f} %", shares.empty() ? "" : ", ", 100.0 * of_life);
   }
   progress.rename(fmt::format("{} of {} done, {} failed, {} running ({})", course.done, all.size(),
                               course.failed, course.running.size(), shares));

@@ -136,16 +136,18 @@ double deviation_of(const PointResult& point, const PointFigure& figure) {
                    std::isfinite(shown) ? shown : 0.0);
 }
 
+void check_columns(const Study& study) {
+  for (const Limit& limit : study.limits) static_cast<void>(figure_named(study, limit.result));
+  if (!study.objective) return;
+  static_cast<void>(figure_named(study, study.objective->result));
+  if (!study.objective->divisor.empty())
+    static_cast<void>(figure_named(study, study.objective->divisor));
+}
+
 StudyResults study_results(const StudyPlan& plan, const std::vector<std::filesystem::path>& folders,
                            const std::vector<StateOfCampaign>& states) {
   StudyResults results{plan, folders, states, {}, {}, std::nullopt};
-  for (const Limit& limit : plan.study.limits)
-    static_cast<void>(figure_named(plan.study, limit.result));
-  if (const auto& objective = plan.study.objective) {
-    static_cast<void>(figure_named(plan.study, objective->result));
-    if (!objective->divisor.empty())
-      static_cast<void>(figure_named(plan.study, objective->divisor));
-  }
+  check_columns(plan.study);
   for (std::size_t i = 0; i < plan.campaigns.size(); ++i) {
     results.figures.emplace_back();
     if (states[i].state == CampaignState::done)

@@ -43,6 +43,9 @@ struct StudyResults {
 /// is more.
 [[nodiscard]] double deviation_of(const PointResult& point, const PointFigure& figure);
 
+/// Throws InputError where the objective or a limit names no figure.
+void check_columns(const Study& study);
+
 /// Gathers what the campaigns of a study have, point by point. A point is the best with the
 /// probability that it is so in 10,000 draws of all points from normal distributions; their
 /// standard deviation is the predicted error of the mean, or its scatter over the root of the

@@ -1,11 +1,9 @@
 #include "orchestrator/app/run_verb.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cstdint>
 #include <ctime>
@@ -24,6 +22,7 @@
 #include "orchestrator/dem_run/cost_estimate.h"
 #include "orchestrator/dem_run/stretch_run.h"
 #include "orchestrator/process/child_process.h"
+#include "orchestrator/process/host_name.h"
 #include "orchestrator/results/life_error.h"
 #include "orchestrator/stages/run_stage.h"
 
@@ -33,11 +32,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t full_disk_bytes = 1 << 20;
-
-std::string host_name() {
-  std::array<char, 256> name{};
-  return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "unknown";
-}
 
 /// What a stage adds to the share of the liner's life: measuring and wearing take a cycle's share,
 /// expected to be that of the cycle before. How far the first load of the adaptive scheme goes is

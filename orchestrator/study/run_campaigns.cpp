@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
@@ -20,6 +19,7 @@
 #include "orchestrator/campaign/campaign.h"
 #include "orchestrator/campaign/ledger.h"
 #include "orchestrator/process/child_process.h"
+#include "orchestrator/process/host_name.h"
 #include "orchestrator/study/job_log.h"
 
 namespace millwear::orchestrator {
@@ -32,11 +32,6 @@ constexpr int signalled = 128;  ///< exit codes above are of a signal
 constexpr auto between_looks = std::chrono::milliseconds(200);
 constexpr auto after_locked = std::chrono::seconds(1);
 constexpr auto between_shares = std::chrono::seconds(5);
-
-std::string host_name() {
-  std::array<char, 256> name{};
-  return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "unknown";
-}
 
 /// An open file of a child, which closes with this.
 class LogFile {

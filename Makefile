@@ -56,12 +56,13 @@ coverage: ## Predicted errors against the scatter of the pilot mill's kept campa
 	@build/ci/tests/coverage/coverage_test --gtest_brief=1
 	@build/ci/tests/coverage/coverage_table cases/pilot_mill/coverage
 
-bench: ## Time the contact reader, a geometry step and publishing
+bench: ## Time the contact reader, a geometry step, publishing and a study of 10,000 points
 	@cmake --preset release -DMILLWEAR_TESTS=ON >/dev/null
-	@cmake --build build/release --target bench_contact_reader bench_wear bench_publishing
+	@cmake --build build/release --target bench_contact_reader bench_wear bench_publishing bench_study
 	@build/release/liggghts_inputs/bench/bench_contact_reader
 	@build/release/wear/bench/bench_wear
 	@build/release/orchestrator/bench_publishing
+	@build/release/orchestrator/bench_study cases/pilot_mill/case.toml
 
 install: build ## Install programs and library; PREFIX says where
 	@cmake --install build/release --prefix $(PREFIX)

@@ -43,7 +43,7 @@ orchestrator/report: mill/base orchestrator/process orchestrator/results
 orchestrator/postprocess: mill meshgen liggghts_inputs/outputs wear orchestrator/process orchestrator/campaign orchestrator/dem_run
 orchestrator/gauge: mill meshgen wear orchestrator/results
 orchestrator/calibration: mill wear orchestrator/campaign orchestrator/dem_run orchestrator/results orchestrator/gauge
-orchestrator/study: mill liggghts_inputs wear/numerics orchestrator/process orchestrator/campaign orchestrator/dem_run orchestrator/results orchestrator/report
+orchestrator/study: mill liggghts_inputs wear orchestrator/process orchestrator/campaign orchestrator/dem_run orchestrator/loads orchestrator/results orchestrator/report
 orchestrator/app: mill meshgen liggghts_inputs wear orchestrator
 '
 
@@ -104,7 +104,7 @@ library CLI11 "CLI/" orchestrator/app/command_line.cpp orchestrator/app/common_o
   recorder/options/option_parsing.cpp recorder/options/recording_plan.cpp \
   recorder/options/run_options.cpp
 library LIGGGHTS "liggghts/" recorder/record/charge_census.cpp recorder/run/deck_run.cpp \
-  recorder/run/main.cpp recorder/record/mesh_hook.cpp recorder/neighbours/neighbours_by_size.cpp \
+  recorder/run/main.cpp recorder/record/liner_census.cpp recorder/record/mesh_hook.cpp recorder/neighbours/neighbours_by_size.cpp \
   recorder/pairs/pair_contacts.cpp recorder/neighbours/particle_neighbours.cpp \
   recorder/neighbours/particle_neighbours.h recorder/run/steady_mixing_run.cpp \
   recorder/record/stretch_recorder.cpp recorder/pairs/touching_pairs.cpp \

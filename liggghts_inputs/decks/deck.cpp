@@ -170,6 +170,12 @@ std::string measuring_deck(const Case& mill, const StretchSteps& steps, const Li
        {"sentinel", std::string(sentinel)}});
 }
 
+std::string charge_reading_deck(const std::string& restart_file, const std::string& charge_file) {
+  return filled_template(read_charge_template, {{"restart_file", restart_file},
+                                                {"charge_file", charge_file},
+                                                {"sentinel", std::string(sentinel)}});
+}
+
 std::string trial_deck(const Case& mill, const TrialSteps& steps,
                        const std::string& previous_restart, int ranks) {
   return filled_template(trial_template, {{"case_name", mill.name},

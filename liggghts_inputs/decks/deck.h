@@ -53,6 +53,11 @@ enum class StretchKind { mix, trial, measure };
                                          const LinerProfile& worn,
                                          const std::string& previous_restart, int ranks);
 
+/// The deck that writes the charge of a restart file as a dump of one instant, with the columns of
+/// the spins dump. Paths are relative to the run's folder.
+[[nodiscard]] std::string charge_reading_deck(const std::string& restart_file,
+                                              const std::string& charge_file);
+
 /// The steps of one trial of LIGGGHTS's speed.
 struct TrialSteps {
   long warm_up;

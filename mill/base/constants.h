@@ -21,4 +21,7 @@ inline constexpr double days_per_year = 365.25;
 
 inline constexpr double millimetres_per_metre = 1000.0;
 
+/// Standard errors from the mean of a normal distribution to either end of its middle 95 % [-].
+inline constexpr double errors_of_95_percent = 1.96;
+
 }  // namespace millwear

@@ -86,8 +86,11 @@ struct DemSettings {
   int ranks = 0;                 ///< MPI ranks; 0 takes every core
   std::optional<double> skin{};  ///< neighbour skin [m]; by default the least particle radius
   std::optional<RankSplit> rank_split{};  ///< by default `charge`
-  double mesh_tolerance = 0.03;       ///< mesh against profile, share of the least particle radius
-  std::uint64_t seed = 1;             ///< of the first packing
+  double mesh_tolerance = 0.03;  ///< mesh against profile, share of the least particle radius
+  std::uint64_t seed = 1;        ///< of the first packing
+  /// The campaign, or cycle of one, whose charge the first mixing begins with in place of a
+  /// packing; from the folder of the case file, and in a campaign from that of the campaign.
+  std::optional<std::filesystem::path> charge_from{};
   bool keep_dumps = false;            ///< keep the contact dumps as files
   bool keep_events = false;           ///< keep a row a collision with the liner (recorder only)
   double pair_revolutions = 0.02;     ///< at the end of a measurement in which collisions between

@@ -89,7 +89,11 @@ std::vector<MaterialPair> build_pairs(const CaseDocument& document,
 
 DemSettings build_dem(const CaseDocument& document) {
   DemSettings dem;
-  read_keys(dem_keys(), document.find("dem"), dem);
+  const CaseTable* const table = document.find("dem");
+  read_keys(dem_keys(), table, dem);
+  const bool is_free = table != nullptr && table->find("mix_until_steady") == nullptr;
+  if (dem.charge_from && is_free && dem.contact_path == ContactPath::recorder)
+    dem.mix_until_steady = true;
   return dem;
 }
 

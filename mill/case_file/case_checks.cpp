@@ -215,8 +215,8 @@ void check_mixing(const Case& mill, const CaseDocument& document, CaseProblems& 
     problems.add(
         line,
         fmt::format("`mix_until_steady` can tell nothing before {:.3g} revolutions and "
-                    "`mix_revolutions` = {:g} ends before; raise it, or take "
-                    "`mix_until_steady` out",
+                    "`mix_revolutions` = {:g} ends before; raise it, or set "
+                    "`mix_until_steady = false`",
                     static_cast<double>(least_steps(plan)) / static_cast<double>(plan.revolution),
                     mill.dem.mix_revolutions));
 }

@@ -133,7 +133,8 @@ class ValueCheck {
     } else if (type == KeyType::choice && !is_choice(*text, spec_.choices)) {
       problems_.add(value.line, fmt::format("`{}` has no choice {}; give one of {}", spec_.key,
                                             in_quotes(*text), spec_.choices));
-    } else if (type == KeyType::file && text->find('\0') != std::string::npos) {
+    } else if (type == KeyType::file &&
+               std::ranges::any_of(*text, [](unsigned char c) { return c < ' '; })) {
       problems_.add(value.line, fmt::format("`{}` is not a file name (found {}); mend it",
                                             spec_.key, in_quotes(*text)));
     }

@@ -101,6 +101,11 @@ const std::vector<KeyRow<DemSettings>>& dem_keys() {
        defaulted("mesh_tolerance", in(&Dem::mesh_tolerance), above_up_to(0.0, 0.5),
                  "mesh against profile, share of the least particle radius [-]"),
        defaulted("seed", in(&Dem::seed), between(1, 2147483647), "seed of the first packing"),
+       optional(
+           "charge_from", in(&Dem::charge_from), any_value,
+           "folder of a campaign, or of one of its cycles, whose charge the first mixing begins "
+           "with in place of a packing, from the folder of this file; `mix_until_steady` is "
+           "then true where it is missing"),
        defaulted("keep_dumps", in(&Dem::keep_dumps), any_value,
                  "keep the contact dumps (with `dumps`)"),
        defaulted("keep_events", in(&Dem::keep_events), any_value,

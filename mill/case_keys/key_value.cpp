@@ -26,6 +26,13 @@ std::string file_text(const std::vector<double>& values) {
   return fmt::format("[{}]", fmt::join(values, ", "));
 }
 
-std::string file_text(std::string_view text) { return fmt::format("\"{}\"", text); }
+std::string file_text(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (c == '"' || c == '\\') escaped += '\\';
+    escaped += c;
+  }
+  return fmt::format("\"{}\"", escaped);
+}
 
 }  // namespace millwear

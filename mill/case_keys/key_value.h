@@ -1,5 +1,7 @@
 #pragma once
+#include <concepts>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -19,6 +21,11 @@ namespace millwear {
 [[nodiscard]] std::string file_text(const std::vector<double>& values);  ///< "[1, 2.5]"
 [[nodiscard]] std::string file_text(std::string_view text);              ///< in quotes
 
+template <std::same_as<std::filesystem::path> Path>
+[[nodiscard]] std::string file_text(const Path& file) {
+  return file_text(std::string_view(file.native()));
+}
+
 template <typename Whole>
 requires std::is_integral_v<Whole>
 [[nodiscard]] std::string file_text(Whole value) {
@@ -35,7 +42,8 @@ inline constexpr KeyType key_type = std::is_same_v<Value, double>               
                                     : std::is_same_v<Value, bool>                ? KeyType::boolean
                                     : std::is_integral_v<Value>                  ? KeyType::integer
                                     : std::is_same_v<Value, std::vector<double>> ? KeyType::reals
-                                                                                 : KeyType::name;
+                                    : std::is_same_v<Value, std::filesystem::path> ? KeyType::file
+                                                                                   : KeyType::name;
 
 /// The value of a key that fills a member of type `Value`.
 template <typename Value>

@@ -10,6 +10,8 @@ namespace {
 constexpr std::string_view too_early = "too early to tell a drift";
 constexpr std::string_view torque = "torque drifts by ";
 constexpr std::string_view energy = ", kinetic energy by ";
+constexpr std::string_view particle_class = ", class ";
+constexpr std::string_view on_liner = " on the liner by ";
 constexpr std::string_view per_cent = " %";
 constexpr std::string_view limit = " (limit ";
 constexpr std::string_view limit_end = " %)";
@@ -29,8 +31,12 @@ void read(LineParts& parts, Drift& drift) {
 
 std::string spoken_drift(const std::optional<MixingDrift>& drift) {
   if (!drift) return std::string(too_early);
-  return fmt::format("{}{}{}{}", torque, spoken(drift->torque), energy,
-                     spoken(drift->kinetic_energy));
+  std::string text =
+      fmt::format("{}{}{}{}", torque, spoken(drift->torque), energy, spoken(drift->kinetic_energy));
+  if (const auto& worst = drift->on_liner)
+    text += fmt::format("{}{}{}{}", particle_class, worst->particle_class + 1, on_liner,
+                        spoken(worst->share));
+  return text;
 }
 
 std::string spoken_torque_drift(const std::optional<MixingDrift>& drift) {
@@ -45,6 +51,11 @@ bool read_drift(std::string_view text, std::optional<MixingDrift>& drift) {
   LineParts parts(text);
   read(parts.text(torque), found.torque);
   read(parts.text(energy), found.kinetic_energy);
+  if (!parts.left().empty()) {
+    std::size_t number = 0;
+    parts.text(particle_class).number(number).text(on_liner);
+    read(parts, found.on_liner.emplace(ClassDrift{number - 1, {}}).share);
+  }
   if (parts.fits_to_the_end()) drift = found;
   return parts.fits_to_the_end();
 }

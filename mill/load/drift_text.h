@@ -7,8 +7,8 @@
 
 namespace millwear {
 
-/// "torque drifts by 2.1 % (limit 5 %), kinetic energy by 0.8 % (limit 5 %)", or that it is too
-/// early to tell.
+/// "torque drifts by 2.1 % (limit 5 %), kinetic energy by 0.8 % (limit 5 %), class 3 on the liner
+/// by 4 % (limit 7 %)" with the classes counted from 1, or that it is too early to tell.
 [[nodiscard]] std::string spoken_drift(const std::optional<MixingDrift>& drift);
 
 /// The same without limits and energy: "torque drifts by 2.1 %".

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <stdexcept>
+#include <utility>
 
 #include "mill/base/failure.h"
 #include "mill/base/user_table.h"
@@ -13,10 +14,12 @@
 namespace millwear {
 namespace {
 
-constexpr std::string_view version_line = "# millwear mixing 1\n";
+constexpr std::string_view version_line = "# millwear mixing 2\n";
 constexpr std::string_view columns =
     "step,revolutions,torque_n_m,kinetic_energy_j,torque_drift,torque_drift_limit,"
-    "kinetic_energy_drift,kinetic_energy_drift_limit,state\n";
+    "kinetic_energy_drift,kinetic_energy_drift_limit,class_drift,class_drift_limit,drifting_class,"
+    "state";
+constexpr std::size_t first_class_column = 12;
 
 std::string_view name_of(MixingState state) {
   switch (state) {
@@ -39,18 +42,26 @@ MixingRecord after(const MixingRecord& record, std::size_t pieces) {
 std::string field(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
 
 std::string drift_fields(const std::optional<MixingDrift>& drift) {
-  if (!drift) return ",,,";
-  return fmt::format("{},{},{},{}", field(drift->torque.relative), field(drift->torque.limit),
-                     field(drift->kinetic_energy.relative), field(drift->kinetic_energy.limit));
+  if (!drift) return ",,,,,,";
+  const auto& worst = drift->on_liner;
+  return fmt::format("{},{},{},{},{}", field(drift->torque.relative), field(drift->torque.limit),
+                     field(drift->kinetic_energy.relative), field(drift->kinetic_energy.limit),
+                     worst ? fmt::format("{},{},{}", field(worst->share.relative),
+                                         field(worst->share.limit), worst->particle_class + 1)
+                           : ",,");
 }
 
 MixingRecord record_of(const UserTable& table, const MixingPlan& plan) {
   constexpr std::size_t torque = 2;
   constexpr std::size_t energy = 3;
   MixingRecord record{plan, {}};
-  for (const auto& row : table.rows)
-    record.pieces.push_back(
-        {number_in(table, row, torque, "newton metres"), number_in(table, row, energy, "joules")});
+  for (const auto& row : table.rows) {
+    MixedPiece piece{number_in(table, row, torque, "newton metres"),
+                     number_in(table, row, energy, "joules")};
+    for (std::size_t column = first_class_column; column < row.fields.size(); ++column)
+      piece.on_liner.push_back(number_in(table, row, column, "a number of particles"));
+    record.pieces.push_back(std::move(piece));
+  }
   return record;
 }
 
@@ -58,12 +69,19 @@ MixingRecord record_of(const UserTable& table, const MixingPlan& plan) {
 
 std::string mixing_csv(const MixingRecord& record) {
   std::string text = std::string(version_line) + std::string(columns);
+  const std::size_t classes = record.pieces.empty() ? 0 : record.pieces.front().on_liner.size();
+  for (std::size_t kind = 1; kind <= classes; ++kind)
+    fmt::format_to(std::back_inserter(text), ",on_liner_{}", kind);
+  text += "\n";
   for (std::size_t i = 0; i < record.pieces.size(); ++i) {
     const MixingRecord so_far = after(record, i + 1);
-    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{}\n", so_far.steps(),
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{}", so_far.steps(),
                    so_far.revolutions(), record.pieces[i].torque, record.pieces[i].kinetic_energy,
                    drift_fields(mixing_drift(record.plan, so_far.pieces)),
                    name_of(mixing_state(record.plan, so_far.pieces)));
+    for (const double touching : record.pieces[i].on_liner)
+      fmt::format_to(std::back_inserter(text), ",{}", touching);
+    text += "\n";
   }
   return text;
 }
@@ -72,7 +90,7 @@ MixingRecord mixing_from_csv(std::string_view text, const std::filesystem::path&
                              const MixingPlan& plan) {
   if (!text.starts_with(std::string(version_line) + std::string(columns)))
     throw ResultRejected(
-        fmt::format("{}:1: it is not a `millwear mixing` of version 1", file.string()));
+        fmt::format("{}:1: it is not a `millwear mixing` of version 2", file.string()));
   MixingRecord record{};
   try {
     record = record_of(user_table(text, file), plan);

@@ -1,6 +1,8 @@
 #pragma once
+#include <cstddef>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "mill/case/case.h"
 #include "mill/case/time_step.h"
@@ -31,6 +33,10 @@ inline constexpr int pieces_of_window = 4;
 struct MixedPiece {
   double torque;          ///< of the particles on the liner about +y [N m]
   double kinetic_energy;  ///< of the particles' motion, without spin [J]
+  /// How many particles of each class (diameter and material) touch the liner, the largest first;
+  /// empty where nobody counts.
+  std::vector<double> on_liner{};
+  bool operator==(const MixedPiece&) const = default;
 };
 
 /// How far a quantity drifts over two windows, as shares of its mean.
@@ -51,9 +57,27 @@ struct Drift {
 /// twice that, within 5 % ... 15 % of the mean. Throws std::invalid_argument for a shorter series.
 [[nodiscard]] Drift drift_of(std::span<const double> series);
 
+/// How far a class's share of the particles on the liner drifts.
+struct ClassDrift {
+  std::size_t particle_class;  ///< index into `MixedPiece::on_liner`
+  Drift share;
+};
+
+/// The class whose share of the particles on the liner is furthest above its limit, or nearest to
+/// it. Segregation is slow, and the slower the longer it has gone on. So the windows grow: with n
+/// pieces behind what is left out they are the last n / 4 and the n / 4 before, at least
+/// `pieces_of_window` each. With p the share in both and p1, p2 that of each, the drift is
+/// |p2 - p1| / p. Its limit is 5 %, or 2.5 standard errors where these are more:
+///     error^2 = p (1 - p) (1 / (N1 q) + 1 / (N2 q)) / p^2,
+/// N1 and N2 the particles on the liner, and q the quarters of a revolution in a window, at least
+/// one, because a particle stays on the liner for about so long. None with fewer than two classes.
+[[nodiscard]] std::optional<ClassDrift> class_drift(const MixingPlan& plan,
+                                                    std::span<const MixedPiece> pieces);
+
 struct MixingDrift {
   Drift torque;
   Drift kinetic_energy;
+  std::optional<ClassDrift> on_liner{};
 };
 
 /// The drift after all `pieces` so far; none while two windows behind what is left out are not
@@ -63,7 +87,7 @@ struct MixingDrift {
 
 enum class MixingState {
   drifts,   ///< it has to go on
-  steady,   ///< torque and kinetic energy both
+  steady,   ///< torque, kinetic energy and the classes on the liner
   at_most,  ///< it ends without being steady
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "mill/base/constants.h"
 #include "mill/base/number_or_null.h"
 #include "mill/base/published_file.h"
 #include "mill/case/case_units.h"
@@ -22,7 +23,6 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Half the 95 % interval of a normal error, in standard errors.
-constexpr double half_of_95_percent = 1.96;
 /// Above this share of wear elsewhere, the campaign's shapes are not those of the law found.
 constexpr double elsewhere_of_doubt = 0.05;
 
@@ -41,7 +41,7 @@ Coefficient coefficient_of(const CalibratedLaw& law, std::size_t number) {
   const double unit = corrodes ? mechanism.depth_rate / depth_rate_from_m_per_year(1.0)
                                : mechanism.specific_wear_rate;
   const double factor = law.found.fit.factors[m];
-  const double half = half_of_95_percent * law.found.errors[m];
+  const double half = errors_of_95_percent * law.found.errors[m];
   return {corrodes ? "depth_rate_m_per_year" : "specific_wear_rate_per_pa", unit * factor,
           unit * law.found.errors[m], unit * std::fmax(0.0, factor - half), unit * (factor + half)};
 }

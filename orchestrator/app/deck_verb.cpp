@@ -32,6 +32,10 @@ void deck_verb(const DeckOptions& options) {
   check_output_folder("--out", folder);
   Case untuned = mill;
   untuned.dem.tune = false;
+  // A path from the folder of the case is none from the folder of the decks.
+  if (untuned.dem.charge_from)
+    untuned.dem.charge_from =
+        std::filesystem::absolute(mill.file).parent_path() / *mill.dem.charge_from;
   const Campaign campaign{untuned, {folder}, options.ranks.value_or(ranks_for(mill))};
   const auto folder_of = [&](StageKind kind) {
     const auto stage_folder = campaign.folder.stage({0, kind});
@@ -41,7 +45,7 @@ void deck_verb(const DeckOptions& options) {
   write_mesh(mill, mill.liner, folder_of(StageKind::mesh));
   write_mixing_deck(campaign, 0, folder_of(StageKind::mix));
   write_measuring_deck(campaign, 0, folder_of(StageKind::dem));
-  write_file(campaign.folder.locked_case(), locked_case_text(mill));
+  write_file(campaign.folder.locked_case(), locked_case_text(untuned));
   print_folder(options.common, campaign.folder.root,
                "the decks (cycle_000/mix, then cycle_000/dem) are");
   if (options.common.form == OutputForm::json || mill.dem.contact_path != ContactPath::recorder)

@@ -19,6 +19,7 @@
 #include "orchestrator/campaign/output_path.h"
 #include "orchestrator/campaign/run_lock.h"
 #include "orchestrator/campaign/stage_order.h"
+#include "orchestrator/dem_run/charge_source.h"
 #include "orchestrator/dem_run/cost_estimate.h"
 #include "orchestrator/dem_run/stretch_run.h"
 #include "orchestrator/process/child_process.h"
@@ -123,6 +124,14 @@ void explain_campaign(const OpenCampaign& opened, Explanation how) {
                  name_of(entry.stage), entry.outputs.size());
 }
 
+/// Refuses a charge that is not there, or of another mill, before anything is written.
+void check_charge_source(const OpenCampaign& opened) {
+  const Campaign& campaign = opened.campaign;
+  if (opened.ledger.find({0, StageKind::mix}) == nullptr)
+    static_cast<void>(
+        charge_source(campaign.mill, campaign.folder.root / *campaign.mill.dem.charge_from));
+}
+
 Case case_to_run(const RunOptions& options) {
   Case mill = read_case(options.common.case_file);
   if (options.seed) mill.dem.seed = *options.seed;
@@ -161,6 +170,7 @@ void run_verb(const RunOptions& options) {
   };
   const auto how = options.explain ? Explanation::every_stage : Explanation::next_stage;
   if (options.dry_run) return explain_campaign(open(), how);
+  if (mill.dem.charge_from) check_charge_source(open());
   check_liggghts_is_installed(mill.dem.contact_path);
 
   make_folder(folder.root);

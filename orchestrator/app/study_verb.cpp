@@ -15,6 +15,7 @@
 #include "orchestrator/campaign/output_path.h"
 #include "orchestrator/campaign/run_lock.h"
 #include "orchestrator/dem_run/stretch_run.h"
+#include "orchestrator/study/base_charge.h"
 #include "orchestrator/study/design_search.h"
 #include "orchestrator/study/search_study.h"
 #include "orchestrator/study/study_page.h"
@@ -30,6 +31,7 @@ Study study_from(const StudyOptions& options) {
   Study study = options.axes.empty() ? read_study(options.common.case_file)
                                      : study_of_case(options.common.case_file, options.axes);
   if (options.replicates) study.replicates = *options.replicates;
+  study.charge_from_base = study.charge_from_base || options.charge_from_base;
   if (options.objective) study.objective = objective_from(*options.objective);
   if (const std::size_t points = point_count(study); points > options.most_points)
     throw Failure(
@@ -52,6 +54,18 @@ std::vector<std::string> command_for(const fs::path& folder, int ranks) {
           folder.string(),
           "--ranks",
           std::to_string(ranks),
+          "--quiet"};
+}
+
+/// Mixes the base case on all cores, or those that it names.
+std::vector<std::string> base_charge_command(const Study& study, const StudyFolder& folder) {
+  return {fs::read_symlink("/proc/self/exe").string(),
+          "run",
+          study.case_file.string(),
+          "--until",
+          "0:mix",
+          "--out",
+          folder.base_charge().string(),
           "--quiet"};
 }
 
@@ -155,6 +169,8 @@ void add_options(CLI::App& verb, StudyOptions& options) {
   verb.add_option("--replicates", options.replicates,
                   "Campaigns of each point that differ in the seed, instead of the study's")
       ->check(CLI::Range(1, 1000));
+  verb.add_flag("--charge-from-base", options.charge_from_base,
+                "Mix the base case once and begin every campaign with its charge");
   verb.add_option("--out", options.out, "Folder of the study; by default studies/NAME");
   verb.add_option("--jobs", options.jobs,
                   "Campaigns side by side, by default as many as there are cores; the ranks of all "
@@ -180,9 +196,9 @@ void study_verb(const StudyOptions& options) {
   const Case base = read_case(study.case_file);
   const JobShare share = job_share(cores_here(), options.jobs, base.dem.ranks);
   const bool is_search = study.combine == Combine::search;
+  const StudyPlan plan = plan_of(
+      is_search ? with_places(study, read_places(folder.root / "search.csv", study)) : study);
   if (options.dry_run || options.explain) {
-    const StudyPlan plan = plan_of(
-        is_search ? with_places(study, read_places(folder.root / "search.csv", study)) : study);
     const auto folders = folders_of(folder, plan);
     print_plan(plan, folders, states_of(folder, folders), share);
     if (is_search)
@@ -191,13 +207,13 @@ void study_verb(const StudyOptions& options) {
   }
   if (options.dry_run) return;
   check_liggghts_is_installed(base.dem.contact_path);
-  if (!is_search) static_cast<void>(plan_of(study));  // refused before anything is written
 
   make_folder(folder.root);
   const RunLock lock(folder.lock());
   Progress progress(options.common.verbosity);
   const StudyWork work{options, folder, share, progress};
-  const StudyResults results = is_search ? search(work, study) : results_of(work, plan_of(study));
+  if (study.charge_from_base) mix_base_charge(folder, base_charge_command(study, folder), progress);
+  const StudyResults results = is_search ? search(work, study) : results_of(work, plan);
   publish_study(folder, results);
   print_results(options, folder, results);
 }

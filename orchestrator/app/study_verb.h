@@ -16,7 +16,8 @@ struct StudyOptions {
   std::optional<std::string> objective;
   std::optional<int> replicates;
   std::filesystem::path out;  ///< empty: studies/NAME
-  int jobs = 0;               ///< 0: as many as there are cores
+  bool charge_from_base = false;
+  int jobs = 0;  ///< 0: as many as there are cores
   std::size_t most_points = 1000;
   OnFail on_fail = OnFail::go_on;
   bool retry_failed = false;

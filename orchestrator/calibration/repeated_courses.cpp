@@ -12,33 +12,26 @@
 #include "mill/base/contract.h"
 #include "mill/base/failure.h"
 #include "orchestrator/campaign/case_difference.h"
+#include "wear/band/life_band.h"
+#include "wear/band/repeats.h"
 
 namespace millwear::orchestrator {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double normal_95 = 1.96;
 
 /// The value that `of` takes from every course.
 template <class Of>
 Repeated repeated(const std::vector<CalibratedCourse>& courses, Of of) {
-  const auto count = static_cast<double>(courses.size());
-  Repeated made{{}, nan, nan, nan};
-  double sum = 0.0;
-  double error_squares = 0.0;
+  std::vector<double> values;
+  std::vector<double> errors;
   for (const CalibratedCourse& course : courses) {
     const Banded& banded = of(course);
-    const double error = (banded.band.high - banded.band.low) / (2.0 * normal_95);
-    made.values.push_back(banded.value);
-    sum += banded.value;
-    error_squares += error * error;
+    values.push_back(banded.value);
+    errors.push_back(wear::standard_error_of(banded.band));
   }
-  made.mean = sum / count;
-  double squares = 0.0;
-  for (const double value : made.values) squares += std::pow(value - made.mean, 2);
-  made.scatter = std::sqrt(squares / (count - 1.0));
-  made.predicted_error = std::sqrt(error_squares / count);
-  return made;
+  const auto [mean, scatter, predicted_error] = wear::repeats_of(values, errors);
+  return {std::move(values), mean, scatter, predicted_error};
 }
 
 /// Root mean square of what `off` gives for the held-out heights that all campaigns predict.

@@ -14,7 +14,7 @@ struct Repeated {
   std::vector<double> values;  ///< a value a campaign, in their order; NaN where one has none
   double mean;                 ///< NaN unless all have one
   double scatter;              ///< standard deviation between the campaigns
-  double predicted_error;      ///< root mean square of what each gives, its band over 2 * 1.96
+  double predicted_error;      ///< root mean square of the standard errors of their bands
 };
 
 /// A height that was read, beside those that the campaigns predict.

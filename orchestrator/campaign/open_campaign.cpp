@@ -26,6 +26,16 @@ void check_same_case(const Case& mill, const Ledger& ledger, const RunFolder& fo
       mill.file.string(), folder.root.string(), folder.locked_case().string()));
 }
 
+/// The case with `charge_from` as it is reached from the campaign's folder, so that both may be
+/// moved together.
+Case as_kept(Case mill, const RunFolder& folder) {
+  auto& charge_from = mill.dem.charge_from;
+  if (charge_from && charge_from->is_relative())
+    charge_from = fs::weakly_canonical(fs::absolute(mill.file).parent_path() / *charge_from)
+                      .lexically_relative(fs::weakly_canonical(fs::absolute(folder.root)));
+  return mill;
+}
+
 bool lowers_limits_of(const Case& mill, const Ledger& ledger, const RunFolder& folder) {
   return ledger.start.case_hash != hash_of_case(mill) && fs::exists(folder.locked_case()) &&
          only_lowers_limits(mill, read_case(folder.locked_case()));
@@ -50,8 +60,9 @@ RunFolder run_folder_of(const Case& mill, const fs::path& out) {
   return {out.empty() ? fs::path("runs") / mill.name : out};
 }
 
-OpenCampaign campaign_to_run(const Case& mill, const RunFolder& folder,
+OpenCampaign campaign_to_run(const Case& described, const RunFolder& folder,
                              const CampaignStarter& starter, std::optional<int> asked_ranks) {
+  const Case mill = as_kept(described, folder);
   auto ledger = read_ledger(folder.ledger());
   if (!ledger || ledger->entries.empty())
     return {{mill, folder, starter.ranks},
@@ -79,7 +90,8 @@ void keep_start(const OpenCampaign& opened) {
   write_ledger(folder.ledger(), opened.ledger);
 }
 
-OpenCampaign campaign_of(const Case& mill, const RunFolder& folder) {
+OpenCampaign campaign_of(const Case& described, const RunFolder& folder) {
+  const Case mill = as_kept(described, folder);
   auto ledger = read_ledger(folder.ledger());
   if (!ledger)
     throw Failure(ExitCode::usage,

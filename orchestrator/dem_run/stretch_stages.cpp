@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "liggghts_inputs/decks/charge_packing.h"
+#include "liggghts_inputs/decks/charge_data.h"
 #include "liggghts_inputs/decks/deck.h"
 #include "liggghts_inputs/outputs/contact_join.h"
 #include "liggghts_inputs/outputs/stretch_log.h"
@@ -12,6 +12,7 @@
 #include "mill/base/whole_file.h"
 #include "mill/recording/recorder_orders.h"
 #include "orchestrator/campaign/mesh_files.h"
+#include "orchestrator/dem_run/charge_source.h"
 #include "orchestrator/dem_run/mixing.h"
 #include "orchestrator/dem_run/stretch_measures.h"
 #include "orchestrator/dem_run/stretch_progress.h"
@@ -175,16 +176,16 @@ void mix_until_steady(const Campaign& campaign, int cycle, const fs::path& into,
 
 }  // namespace
 
-void write_mixing_deck(const Campaign& campaign, int cycle, const fs::path& into) {
+std::string write_mixing_deck(const Campaign& campaign, int cycle, const fs::path& into) {
   const Case mill = case_of_stretch(campaign, {cycle, StageKind::mix});
   const auto steps = liggghts::mixing_steps(mill, plan_steps(mill));
-  Case packed = mill;
-  packed.liner = dem_liner_of_cycle(campaign, cycle);
-  write_file(into / names::charge, liggghts::charge_data_file(mill, liggghts::pack_charge(packed)));
+  const FirstCharge charge = first_charge(campaign, cycle, into);
+  write_file(into / names::charge, liggghts::charge_data_file(mill, charge.particles));
   write_file(into / names::deck, liggghts::mixing_deck(mill, steps, campaign.ranks));
   write_file(into / names::contact_model,
              liggghts::contact_model_deck(mill, steps, mesh_of(campaign, cycle),
                                           liggghts::StretchKind::mix, cycle));
+  return charge.words;
 }
 
 void write_measuring_deck(const Campaign& campaign, int cycle, const fs::path& into) {
@@ -221,7 +222,8 @@ std::vector<std::string> recorder_arguments(const Case& mill) {
 void mix_stage(const Campaign& campaign, int cycle, const fs::path& into, Progress& progress) {
   const auto steps = liggghts::mixing_steps(campaign.mill, plan_steps(campaign.mill));
   check_free_disk(campaign.mill, steps, into);
-  write_mixing_deck(campaign, cycle, into);
+  if (const auto words = write_mixing_deck(campaign, cycle, into); !words.empty())
+    progress.say(fmt::format("cycle {}: {}", cycle, words));
   if (campaign.mill.dem.mix_until_steady) return mix_until_steady(campaign, cycle, into, progress);
   run_liggghts({into, campaign.ranks, step_follower({cycle, StageKind::mix}, steps, progress),
                 unrecorded_program(campaign.mill.dem.contact_path)},

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mill/base/constants.h"
 #include "mill/base/published_file.h"
 #include "orchestrator/report/gnuplot.h"
 #include "orchestrator/report/plot_style.h"
@@ -16,7 +17,6 @@ namespace {
 
 constexpr double mm_per_m = 1e3;
 constexpr double kw_per_w = 1e-3;
-constexpr double within_errors = 1.96;  ///< 95 %
 
 std::string profile_blocks(const std::vector<ProfileRow>& profiles) {
   std::string text = "$profiles << EOD\n";
@@ -33,7 +33,7 @@ std::string height_block(const std::vector<HistoryRow>& history) {
   std::string text = "$height << EOD\n";
   for (const auto& row : history)
     text += fmt::format("{} {} {}\n", row.operating_hours, row.lifter_height * mm_per_m,
-                        within_errors * row.lifter_height_error * mm_per_m);
+                        errors_of_95_percent * row.lifter_height_error * mm_per_m);
   return text + "EOD\n";
 }
 

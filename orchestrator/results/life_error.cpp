@@ -12,7 +12,6 @@
 namespace millwear::orchestrator {
 namespace {
 
-constexpr double normal_95 = 1.96;
 constexpr double longest_factor = 4.0;
 constexpr std::size_t fewest_loads = 2;
 
@@ -48,7 +47,7 @@ Eigen::VectorXd lives_of(const Case& mill, const std::vector<CycleResults>& cycl
 
 double length_ratio(const LifeErrorSoFar& so_far, double target) {
   const double spent = so_far.relative_error * so_far.relative_error;
-  const double left = std::pow(target / normal_95, 2) - spent;
+  const double left = std::pow(target / errors_of_95_percent, 2) - spent;
   if (!(left > 0.0)) return std::numeric_limits<double>::infinity();
   return spent * (1.0 - so_far.share_of_life) / so_far.share_of_life / left;
 }

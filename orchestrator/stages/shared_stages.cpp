@@ -17,6 +17,7 @@
 #include "mill/base/whole_file.h"
 #include "mill/case_file/case_lock.h"
 #include "orchestrator/campaign/ledger.h"
+#include "orchestrator/dem_run/charge_source.h"
 #include "orchestrator/dem_run/tune_stage.h"
 #include "orchestrator/process/child_process.h"
 
@@ -33,6 +34,7 @@ constexpr const char* hashes_file = ".hashes";
 Case dem_case(const Campaign& campaign, const StageId& stage) {
   Case mill = case_of_stretch(campaign, stage);
   mill.name.clear();
+  mill.dem.charge_from.reset();
   const auto reversals = mill.campaign.reversal_times;
   mill.campaign = {.height_limit = 0.0, .plate_limit = 0.0};
   mill.campaign.reversal_times = reversals;
@@ -53,6 +55,18 @@ Case dem_case(const Campaign& campaign, const StageId& stage) {
   recorded.mechanisms = {any_law};
   mill.wear = recorded;
   return mill;
+}
+
+/// The restart file that a stage begins with, empty where it packs its charge.
+fs::path charge_before(const Campaign& campaign, const StageId& stage) {
+  const bool is_first = first_cycle_of_rotation(campaign, stage.cycle) == stage.cycle;
+  if (stage.kind == StageKind::dem)
+    return campaign.folder.stage(is_first ? StageId{stage.cycle, StageKind::mix}
+                                          : StageId{stage.cycle - 1, StageKind::dem}) /
+           "charge.restart";
+  const auto& charge_from = campaign.mill.dem.charge_from;
+  if (stage.cycle > 0 || !charge_from) return {};
+  return charge_source(campaign.mill, campaign.folder.root / *charge_from).restart;
 }
 
 std::string text_of(const LinerProfile& liner) {
@@ -130,14 +144,8 @@ void leave(const fs::path& from, const fs::path& stored) {
 }  // namespace
 
 std::string hash_of_dem(const Campaign& campaign, const StageId& stage) {
-  std::string charge;
-  const bool goes_on = stage.kind == StageKind::dem;
-  if (goes_on) {
-    const bool is_first = first_cycle_of_rotation(campaign, stage.cycle) == stage.cycle;
-    const StageId before =
-        is_first ? StageId{stage.cycle, StageKind::mix} : StageId{stage.cycle - 1, StageKind::dem};
-    charge = hash_of_file(campaign.folder.stage(before) / "charge.restart");
-  }
+  const fs::path before = charge_before(campaign, stage);
+  const std::string charge = before.empty() ? "" : hash_of_file(before);
   return hash_of_text(fmt::format("{}\n{}\n{} {}\n{}\n{}",
                                   locked_case_text(dem_case(campaign, stage)),
                                   text_of(dem_liner_of_cycle(campaign, stage.cycle)),

@@ -18,6 +18,8 @@
 #include "orchestrator/dem_run/measured.h"
 #include "orchestrator/results/history.h"
 #include "orchestrator/study/derived_axes.h"
+#include "orchestrator/study/liner_impacts.h"
+#include "wear/band/life_band.h"
 
 namespace millwear::orchestrator {
 namespace {
@@ -25,7 +27,6 @@ namespace {
 using Figures = CampaignFigures;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double normal_95 = 1.96;
 constexpr double watts_per_kilowatt = 1e3;
 
 constexpr std::array columns{
@@ -55,6 +56,15 @@ constexpr std::array columns{
                  &Figures::dead_zone_share, &Figures::dead_zone_share_error},
     FigureColumn{"bare_hit_power_w", "W", "likewise", &Figures::bare_hit_power,
                  &Figures::bare_hit_power_error},
+    FigureColumn{"impact_power_w", "W",
+                 "dissipated in hits on the new liner, normal to it (`spectra.csv`)",
+                 &Figures::impact_power, nullptr},
+    FigureColumn{"impact_half_energy_j", "J",
+                 "hits on the new liner that dissipate more than this make half of that power",
+                 &Figures::impact_half_energy, nullptr},
+    FigureColumn{"wear_rate_new_m3_per_m_h", "m3/(m h)",
+                 "per lifter and metre of mill, over the steps on the first load",
+                 &Figures::wear_rate_new, &Figures::wear_rate_new_error},
     FigureColumn{"rows", "1", "lifters around the mill", &Figures::rows, nullptr},
     FigureColumn{"spacing_m", "m", "from lifter to lifter along the new plate", &Figures::spacing,
                  nullptr},
@@ -90,6 +100,20 @@ std::pair<double, double> mean_over_life(const std::vector<HistoryRow>& history,
     of_cycle = 0.0;
   }
   return {sum / hours, std::sqrt(variance) / hours};
+}
+
+/// The last state that the first load has led to.
+const HistoryRow& after_first_load(const std::vector<HistoryRow>& history) {
+  std::size_t last = 1;
+  while (last + 1 < history.size() && history[last + 1].cycle == history[1].cycle) ++last;
+  return history[last];
+}
+
+/// NaN where no collision was recorded.
+LinerImpacts impacts_in(const std::filesystem::path& results) {
+  const auto file = results / "spectra.csv";
+  return liner_impacts(std::filesystem::exists(file) ? read_spectra_csv(file)
+                                                     : std::vector<SpectrumRow>{});
 }
 
 /// Of the mixing as planned, and of every load as it was measured.
@@ -130,6 +154,8 @@ Figures figures_of(const std::filesystem::path& campaign, const Case& mill) {
                     file.string(), (campaign / "case.toml").string()));
   const HistoryRow& fresh = history.front();
   const HistoryRow& last = history.back();
+  const HistoryRow& first_worn = after_first_load(history);
+  const LinerImpacts impacts = impacts_in(results);
   const auto [power, power_error] =
       mean_over_life(history, &HistoryRow::power, &HistoryRow::power_error);
   const double density = mill.materials.at(mill.liner_material).density;
@@ -140,9 +166,8 @@ Figures figures_of(const std::filesystem::path& campaign, const Case& mill) {
                                : nan;
   const double life = number_in(summary, "life_hours");
   return {.life_hours = summary.at("life_reached").get<bool>() ? life : nan,
-          .life_hours_error =
-              (number_in(summary, "life_hours_high") - number_in(summary, "life_hours_low")) /
-              (2.0 * normal_95),
+          .life_hours_error = wear::standard_error_of(
+              {number_in(summary, "life_hours_low"), number_in(summary, "life_hours_high")}),
           .life_tonnes = number_in(summary, "life_tonnes"),
           .steel_per_tonne = steel * last.worn_volume,
           .steel_per_tonne_error = steel * last.worn_volume_error,
@@ -166,6 +191,10 @@ Figures figures_of(const std::filesystem::path& campaign, const Case& mill) {
           .dead_zone_share_error = fresh.dead_zone_share_error,
           .bare_hit_power = fresh.bare_hit_power,
           .bare_hit_power_error = fresh.bare_hit_power_error,
+          .impact_power = impacts.power,
+          .impact_half_energy = impacts.half_energy,
+          .wear_rate_new = first_worn.worn_volume / first_worn.operating_hours,
+          .wear_rate_new_error = first_worn.worn_volume_error / first_worn.operating_hours,
           .rows = static_cast<double>(mill.liner.sector.rows),
           .spacing = lifter_spacing(mill),
           .spacing_to_height = lifter_spacing(mill) / lifter_height(mill.liner),

@@ -35,6 +35,11 @@ struct CampaignFigures {
   double dead_zone_share_error;
   double bare_hit_power;  ///< with the new liner [W]
   double bare_hit_power_error;
+  double impact_power;        ///< dissipated in hits on the new liner, normal to it [W]
+  double impact_half_energy;  ///< hits that dissipate more than this make half of it [J]
+  double
+      wear_rate_new;  ///< volume per lifter, metre of mill and hour, by the first load [m3/(m h)]
+  double wear_rate_new_error;
   double rows;
   double spacing;            ///< from lifter to lifter along the new plate [m]
   double spacing_to_height;  ///< of the new lifters [-]

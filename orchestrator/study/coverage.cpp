@@ -9,12 +9,15 @@
 #include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "mill/base/contract.h"
 #include "mill/base/csv_columns.h"
 #include "mill/base/published_file.h"
 #include "mill/base/whole_file.h"
 #include "orchestrator/results/history.h"
+#include "wear/band/life_band.h"
+#include "wear/band/repeats.h"
 
 namespace millwear::orchestrator {
 namespace {
@@ -22,7 +25,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t fewest_campaigns = 3;
-constexpr double normal_95 = 1.96;
 
 constexpr std::string_view courses_format = "millwear seeds 2";
 constexpr std::array<CsvColumn<SeedMoment>, 9> course_columns{{
@@ -62,12 +64,15 @@ struct Sample {
   Eigen::ArrayXd errors;
 };
 
+std::span<const double> as_span(const Eigen::ArrayXd& values) {
+  return {values.data(), static_cast<std::size_t>(values.size())};
+}
+
 Coverage compared(std::string measure, double hours, const Sample& sample) {
   const auto n = static_cast<double>(sample.values.size());
-  const double mean = sample.values.mean();
-  const double scatter = std::sqrt((sample.values - mean).square().sum() / (n - 1.0));
+  const auto [mean, scatter, predicted] =
+      wear::repeats_of(as_span(sample.values), as_span(sample.errors));
   const Eigen::ArrayXd squares = sample.errors.square();
-  const double predicted = std::sqrt(squares.mean());
   const double of_squares =
       std::sqrt((squares - squares.mean()).square().sum() / (n - 1.0) / n) / squares.mean();
   const double ratio = predicted / scatter;
@@ -115,7 +120,7 @@ Sample sample_of(const std::vector<SeedLife>& lives) {
   for (Eigen::Index i = 0; i < n; ++i) {
     const auto& life = lives[static_cast<std::size_t>(i)];
     sample.values[i] = life.hours;
-    sample.errors[i] = (life.high - life.low) / (2.0 * normal_95);
+    sample.errors[i] = wear::standard_error_of({life.low, life.high});
   }
   return sample;
 }

@@ -45,7 +45,7 @@ struct Coverage {
 
 /// Worn volume, height and plate at a quarter, a half, three quarters and the whole of the shortest
 /// life, and the life. Values between two steps are linear in time; the standard error of a life is
-/// its band's width over 2 * 1.96. The error of the ratio takes the scatter of n campaigns to be
+/// that of its band. The error of the ratio takes the scatter of n campaigns to be
 /// known to 1 / sqrt(2 (n - 1)), as of normal values. At least three campaigns (std::logic_error).
 [[nodiscard]] std::vector<Coverage> coverage_of(const Seeds& seeds);
 

@@ -1,14 +1,10 @@
 #include "orchestrator/study/run_campaigns.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
-#include <cstring>
 #include <deque>
 #include <list>
 #include <memory>
@@ -18,8 +14,8 @@
 #include "mill/case_file/case_file.h"
 #include "orchestrator/campaign/campaign.h"
 #include "orchestrator/campaign/ledger.h"
-#include "orchestrator/process/child_process.h"
 #include "orchestrator/process/host_name.h"
+#include "orchestrator/process/logged_child.h"
 #include "orchestrator/study/job_log.h"
 
 namespace millwear::orchestrator {
@@ -32,24 +28,6 @@ constexpr int signalled = 128;  ///< exit codes above are of a signal
 constexpr auto between_looks = std::chrono::milliseconds(200);
 constexpr auto after_locked = std::chrono::seconds(1);
 constexpr auto between_shares = std::chrono::seconds(5);
-
-/// An open file of a child, which closes with this.
-class LogFile {
- public:
-  explicit LogFile(const fs::path& file)
-      : fd_(::open(file.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0666)) {
-    if (fd_ < 0)
-      throw DiskError(
-          fmt::format("{}: cannot be written: {}", file.string(), std::strerror(errno)));
-  }
-  ~LogFile() { ::close(fd_); }
-  LogFile(const LogFile&) = delete;
-  LogFile& operator=(const LogFile&) = delete;
-  [[nodiscard]] int fd() const { return fd_; }
-
- private:
-  int fd_;
-};
 
 /// A campaign that runs.
 struct RunningCampaign {
@@ -71,17 +49,11 @@ double share_so_far(const fs::path& folder) {
 
 RunningCampaign started(std::size_t number, const fs::path& folder, const StudyRun& how) {
   const auto command = how.command(folder, how.ranks);
-  const LogFile log(folder / "run.log");
-  const int input = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
-  RunningCampaign running{number,
-                          {folder.filename().string(), host_name(), utc_now(), 0.0, 0,
-                           fmt::format("{}", fmt::join(command, " "))},
-                          Clock::now(),
-                          nullptr};
-  running.process = std::make_unique<ChildProcess>(command, fs::current_path(),
-                                                   ChildFiles{input, log.fd(), log.fd()});
-  ::close(input);
-  return running;
+  return {number,
+          {folder.filename().string(), host_name(), utc_now(), 0.0, 0,
+           fmt::format("{}", fmt::join(command, " "))},
+          Clock::now(),
+          start_logged(command, folder / "run.log")};
 }
 
 /// How the campaigns of a study go on.

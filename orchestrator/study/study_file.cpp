@@ -18,9 +18,9 @@ namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 5> combinations{"product", "zip", "latin_hypercube", "table",
                                                        "search"};
-constexpr std::array<std::string_view, 10> top_keys{
-    "format_version", "name",          "case", "replicates", "combine",
-    "samples",        "budget_points", "seed", "table",      "axes"};
+constexpr std::array<std::string_view, 11> top_keys{
+    "format_version", "name", "case",  "replicates", "combine",         "samples",
+    "budget_points",  "seed", "table", "axes",       "charge_from_base"};
 constexpr std::array<std::string_view, 2> objective_keys{"maximise", "minimise"};
 constexpr std::int64_t most_replicates = 1000;
 constexpr std::int64_t most_samples = 1000000;
@@ -158,6 +158,7 @@ Study read_study(const fs::path& file) {
   if (study.combine == Combine::product) take_seeds(study, problems);
   check_axes(study, problems);
   study.limits = limits_in(document, problems);
+  study.charge_from_base = switch_in(top, "charge_from_base", problems).value_or(false);
   check_search(study, problems);
   problems.throw_if_any();
   return study;

@@ -48,6 +48,8 @@ struct Study {
   std::vector<std::uint64_t> seeds{};  ///< of the replicates, from an axis `dem.seed`; else none
   std::optional<Objective> objective{};
   std::vector<Limit> limits{};  ///< of a search
+  /// The base case is mixed once, and all campaigns begin with its charge (`charge_from`).
+  bool charge_from_base = false;
 };
 
 /// Reads and checks a study file. Throws InputError with all that is wrong, "file:line: what".

@@ -14,6 +14,7 @@ struct StudyFolder {
 
   [[nodiscard]] std::filesystem::path points() const { return root / "points"; }
   [[nodiscard]] std::filesystem::path by_value() const { return root / "by"; }
+  [[nodiscard]] std::filesystem::path base_charge() const { return root / "charge"; }
   [[nodiscard]] std::filesystem::path lock() const { return root / ".lock"; }
   [[nodiscard]] std::filesystem::path locked_study() const { return root / "study.lock.toml"; }
   [[nodiscard]] std::filesystem::path jobs() const { return root / "jobs.tsv"; }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "mill/base/number_or_null.h"
@@ -11,6 +12,7 @@
 #include "orchestrator/results/history.h"
 #include "orchestrator/results/profiles.h"
 #include "orchestrator/study/coverage.h"
+#include "orchestrator/study/liner_impacts.h"
 #include "orchestrator/study/study_page_parts.h"
 #include "orchestrator/study/study_tables.h"
 
@@ -21,6 +23,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t profiles_shown = 6;
+constexpr std::size_t most_courses = 60;
 constexpr std::size_t fewest_for_coverage = 3;
 
 Json nodes_json(const ProfileRow& profile) {
@@ -43,6 +46,19 @@ Json profiles_json(const fs::path& results) {
   return shown;
 }
 
+/// Energies that hits on the new liner exceed, and how often: of the seven decades below the
+/// greatest, where all that matters is.
+Json impacts_json(const fs::path& results) {
+  constexpr double shown = 1e-7;
+  Json points = Json::array();
+  const fs::path file = results / "spectra.csv";
+  if (!fs::exists(file)) return points;
+  const auto exceeded = liner_impacts(read_spectra_csv(file)).exceeded;
+  for (const auto& [energy, hits_per_second] : exceeded)
+    if (energy > shown * exceeded.back().energy) points.push_back({energy, hits_per_second});
+  return points;
+}
+
 Json course_json(const StudyResults& results, std::size_t campaign) {
   const fs::path tables = RunFolder{results.folders[campaign]}.results();
   Json hours = Json::array();
@@ -57,19 +73,36 @@ Json course_json(const StudyResults& results, std::size_t campaign) {
           {"hours", hours},
           {"height_mm", heights},
           {"power_kw", powers},
+          {"impacts", impacts_json(tables)},
           {"profiles", profiles_json(tables)}};
 }
 
-/// The first replicate of every point that is done.
-Json courses_json(const StudyResults& results) {
-  Json courses = Json::array();
+/// The first replicate of every point that is done; of many points those that are likeliest to be
+/// the best, or the first.
+std::vector<std::size_t> drawn_campaigns(const StudyResults& results) {
+  std::vector<std::size_t> campaigns;
   std::size_t next = 0;
   for (std::size_t i = 0; i < results.plan.campaigns.size(); ++i) {
     const std::size_t point = results.plan.campaigns[i].point;
     if (point < next || !results.figures[i]) continue;
-    courses.push_back(course_json(results, i));
+    campaigns.push_back(i);
     next = point + 1;
   }
+  if (campaigns.size() <= most_courses) return campaigns;
+  std::ranges::stable_sort(campaigns, std::greater<>(), [&](std::size_t campaign) {
+    const double probability =
+        results.points[results.plan.campaigns[campaign].point].probability_of_best;
+    return std::isfinite(probability) ? probability : 0.0;
+  });
+  campaigns.resize(most_courses);
+  std::ranges::sort(campaigns);
+  return campaigns;
+}
+
+Json courses_json(const StudyResults& results) {
+  Json courses = Json::array();
+  for (const std::size_t campaign : drawn_campaigns(results))
+    courses.push_back(course_json(results, campaign));
   return courses;
 }
 

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "liggghts_inputs/decks/carried_charge.h"
 #include "mill/base/failure.h"
 #include "mill/case/time_step.h"
 #include "mill/case_file/case_edit.h"
@@ -23,6 +24,8 @@
 
 namespace millwear::orchestrator {
 namespace {
+
+namespace fs = std::filesystem;
 
 /// Of the results that the same case gives; a point of another version is run anew.
 constexpr int result_version = 1;
@@ -128,6 +131,21 @@ std::string spoken_values(const Study& study, const PointValues& point) {
                                why.substr(0, why.find('\n'))));
 }
 
+/// Where the campaigns of a study find the charge of its base case, from their own folders.
+constexpr const char* base_charge = "../../charge";
+
+/// With the charge that it begins with. Throws InputError where the base case's cannot be its.
+void take_charge(const Study& study, const Case& base, Case& mill) {
+  if (study.charge_from_base) {
+    liggghts::check_same_charge(mill, base);
+    mill.dem.charge_from = base_charge;
+    mill.dem.mix_until_steady = mill.dem.contact_path == ContactPath::recorder;
+  } else if (mill.dem.charge_from) {
+    mill.dem.charge_from =
+        fs::weakly_canonical(fs::absolute(base.file).parent_path() / *mill.dem.charge_from);
+  }
+}
+
 }  // namespace
 
 bool is_whole_axis(const std::string& key) {
@@ -195,6 +213,7 @@ StudyPlan plan_of(const Study& study) {
     Case mill;
     try {
       mill = case_from_document(document);
+      take_charge(study, plan.base, mill);
     } catch (const InputError& problem) {
       refuse(study, point.values.empty() ? 1 : point.values.front().line,
              spoken_values(study, point), problem.what());

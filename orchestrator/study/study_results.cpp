@@ -10,6 +10,7 @@
 #include "mill/base/failure.h"
 #include "mill/base/nearest_word.h"
 #include "mill/case_file/case_file.h"
+#include "wear/band/repeats.h"
 #include "wear/numerics/random_stream.h"
 
 namespace millwear::orchestrator {
@@ -17,6 +18,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr Eigen::Index draws = 10000;
+constexpr Eigen::Index draws_at_once = 100;  // so that memory does not grow with points times draws
 constexpr std::uint64_t draw_seed = 1;
 
 /// A value of one campaign with its standard error.
@@ -25,20 +27,16 @@ struct Value {
   double error;
 };
 
-PointFigure over_replicates(const std::vector<Value>& values) {
-  double sum = 0.0;
-  double squares = 0.0;
-  for (const Value& one : values) {
-    sum += one.value;
-    squares += one.error * one.error;
+PointFigure over_replicates(const std::vector<Value>& replicates) {
+  if (replicates.empty()) return {nan, nan, nan};
+  std::vector<double> values;
+  std::vector<double> errors;
+  for (const Value& one : replicates) {
+    values.push_back(one.value);
+    errors.push_back(one.error);
   }
-  const auto count = static_cast<double>(values.size());
-  PointFigure figure{sum / count, std::sqrt(squares) / count, nan};
-  if (values.size() < 2) return figure;
-  double deviations = 0.0;
-  for (const Value& one : values) deviations += std::pow(one.value - figure.mean, 2);
-  figure.scatter = std::sqrt(deviations / (count - 1.0));
-  return figure;
+  const auto [mean, scatter, predicted] = wear::repeats_of(values, errors);
+  return {mean, predicted / std::sqrt(static_cast<double>(values.size())), scatter};
 }
 
 const FigureColumn& figure_named(const Study& study, const std::string& name) {
@@ -98,27 +96,27 @@ void find_best(StudyResults& results) {
   if (known.empty()) return;
   results.best = *std::ranges::max_element(
       known, {}, [&](std::size_t i) { return sign * results.points[i].objective.mean; });
-  std::vector<int> wins(results.points.size(), 0);
-  const auto chances =
-      wear::standard_normals(static_cast<Eigen::Index>(known.size()), draws, draw_seed);
-  for (Eigen::Index draw = 0; draw < draws; ++draw) {
-    std::size_t winner = known.front();
-    double most = -std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < known.size(); ++k) {
-      const PointResult& point = results.points[known[k]];
-      const double value =
-          sign * point.objective.mean +
-          deviation_of(point, point.objective) * chances(static_cast<Eigen::Index>(k), draw);
-      if (value > most) {
-        most = value;
-        winner = known[k];
-      }
-    }
-    ++wins[winner];
+  const auto count = static_cast<Eigen::Index>(known.size());
+  Eigen::ArrayXd means(count);
+  Eigen::ArrayXd deviations(count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const PointResult& point = results.points[known[static_cast<std::size_t>(k)]];
+    means[k] = sign * point.objective.mean;
+    deviations[k] = deviation_of(point, point.objective);
   }
-  for (const std::size_t i : known)
-    results.points[i].probability_of_best =
-        static_cast<double>(wins[i]) / static_cast<double>(draws);
+  Eigen::ArrayXd wins = Eigen::ArrayXd::Zero(count);
+  for (Eigen::Index done = 0; done < draws; done += draws_at_once) {
+    const auto chances = wear::standard_normals(count, draws_at_once, draw_seed,
+                                                static_cast<std::uint64_t>(done * count));
+    for (Eigen::Index draw = 0; draw < draws_at_once; ++draw) {
+      Eigen::Index winner = 0;
+      (means + deviations * chances.col(draw).array()).maxCoeff(&winner);
+      ++wins[winner];
+    }
+  }
+  for (Eigen::Index k = 0; k < count; ++k)
+    results.points[known[static_cast<std::size_t>(k)]].probability_of_best =
+        wins[k] / static_cast<double>(draws);
 }
 
 }  // namespace

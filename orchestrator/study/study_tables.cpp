@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::string_view format = "# millwear study 1\n";
+constexpr std::string_view format = "# millwear study 2\n";
 
 /// A field of a CSV, in quotes where it needs them.
 std::string field(const std::string& text) {

@@ -43,6 +43,15 @@ std::optional<std::int64_t> whole_in(const CaseTable& table, std::string_view ke
   return std::nullopt;
 }
 
+std::optional<bool> switch_in(const CaseTable& table, std::string_view key,
+                              CaseProblems& problems) {
+  const CaseValue* const value = table.find(key);
+  if (value == nullptr) return std::nullopt;
+  if (const auto* const on = std::get_if<bool>(&value->data)) return *on;
+  problems.add(value->line, fmt::format("`{}` is true or false", key));
+  return std::nullopt;
+}
+
 std::optional<double> number_of(const CaseValue& value) {
   if (const auto* const real = std::get_if<double>(&value.data)) return *real;
   if (const auto* const whole = std::get_if<std::int64_t>(&value.data))

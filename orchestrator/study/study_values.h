@@ -23,6 +23,10 @@ void check_keys(const CaseTable& table, std::span<const std::string_view> known,
                                                    std::int64_t least, std::int64_t most,
                                                    CaseProblems& problems);
 
+/// Likewise true or false.
+[[nodiscard]] std::optional<bool> switch_in(const CaseTable& table, std::string_view key,
+                                            CaseProblems& problems);
+
 /// A value as a number, if it is one.
 [[nodiscard]] std::optional<double> number_of(const CaseValue& value);
 

@@ -67,4 +67,11 @@ wear::LinerRecord sum_over_ranks(wear::LinerRecord record, MPI_Comm ranks) {
   return record;
 }
 
+std::vector<double> sums_over_ranks(const std::vector<double>& values, MPI_Comm ranks) {
+  std::vector<double> sums(values.size(), 0.0);
+  MPI_Allreduce(values.data(), sums.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_SUM,
+                ranks);
+  return sums;
+}
+
 }  // namespace millwear::recorder

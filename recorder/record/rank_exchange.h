@@ -25,6 +25,10 @@ template <class Plain>
 /// Sum of the ranks' records, valid on rank 0. Every rank has to call it.
 [[nodiscard]] wear::LinerRecord sum_over_ranks(wear::LinerRecord record, MPI_Comm ranks);
 
+/// Sums of the ranks' values, on every rank. Every rank has to call it.
+[[nodiscard]] std::vector<double> sums_over_ranks(const std::vector<double>& values,
+                                                  MPI_Comm ranks);
+
 /// The same for loads alone.
 [[nodiscard]] WallLoad sum_over_ranks(WallLoad load, MPI_Comm ranks);
 

@@ -9,13 +9,16 @@
 #include <liggghts/update.h>
 #include <mpi.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <optional>
 #include <string>
 
 #include "mill/base/failure.h"
 #include "mill/base/published_file.h"
 #include "mill/load/mixing_record.h"
 #include "mill/recording/recorder_lines.h"
+#include "recorder/record/liner_census.h"
 #include "recorder/run/deck_lines.h"
 #include "recorder/run/deck_run.h"
 
@@ -23,6 +26,8 @@ namespace millwear::recorder {
 namespace {
 
 using LAMMPS_NS::LAMMPS;
+
+constexpr long censuses_a_piece = 8;
 
 /// The deck's averages over a piece: torque, then kinetic energy.
 LAMMPS_NS::Fix& averages_of(LAMMPS& liggghts, const MixingOptions& options) {
@@ -43,8 +48,10 @@ void check_run(const LAMMPS& liggghts, const MixingOptions& options, const std::
 }
 
 /// The state after one piece more, the same on every rank.
-MixingState take_piece(LAMMPS& liggghts, LAMMPS_NS::Fix& averages, MixingRecord& record) {
-  record.pieces.push_back({averages.compute_vector(0), averages.compute_vector(1)});
+MixingState take_piece(LAMMPS& liggghts, LAMMPS_NS::Fix& averages, LinerCensus& census,
+                       MixingRecord& record) {
+  record.pieces.push_back(
+      {averages.compute_vector(0), averages.compute_vector(1), census.take_means()});
   auto state = mixing_state(record.plan, record.pieces);
   MPI_Bcast(&state, sizeof state, MPI_BYTE, 0, liggghts.world);
   if (liggghts.comm->me == 0) {
@@ -55,7 +62,8 @@ MixingState take_piece(LAMMPS& liggghts, LAMMPS_NS::Fix& averages, MixingRecord&
   return state;
 }
 
-void run_until_steady(LAMMPS& liggghts, const MixingOptions& options, MixingRecord& record) {
+void run_until_steady(LAMMPS& liggghts, const MixingOptions& options, LinerCensus& census,
+                      MixingRecord& record) {
   auto& averages = averages_of(liggghts, options);
   const auto run_piece = [&](const char* how) {
     liggghts.input->one(fmt::format("run {}{}", record.plan.piece, how).c_str());
@@ -64,7 +72,7 @@ void run_until_steady(LAMMPS& liggghts, const MixingOptions& options, MixingReco
       throw ResultRejected(fmt::format("the mixing was stopped at step {}", step));
   };
   run_piece("");
-  while (take_piece(liggghts, averages, record) == MixingState::drifts)
+  while (take_piece(liggghts, averages, census, record) == MixingState::drifts)
     run_piece(" pre no post no");
 }
 
@@ -72,9 +80,11 @@ void run_until_steady(LAMMPS& liggghts, const MixingOptions& options, MixingReco
 
 void mix_until_steady(LAMMPS& liggghts, const MixingOptions& options) {
   MixingRecord record{options.plan, {}};
+  std::optional<LinerCensus> census;  // LIGGGHTS knows it until the deck has come to its end
   run_deck(liggghts, options.deck, [&](const std::string& line) {
     check_run(liggghts, options, line);
-    run_until_steady(liggghts, options, record);
+    census.emplace(liggghts, std::max(1L, record.plan.piece / censuses_a_piece));
+    run_until_steady(liggghts, options, *census, record);
   });
   if (record.pieces.empty()) throw InputError(options.deck.string() + ": the deck has no `run`");
   if (liggghts.comm->me == 0) publish(options.record, mixing_csv(record));

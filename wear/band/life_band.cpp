@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "mill/base/constants.h"
+
 namespace millwear::wear {
 namespace {
 
@@ -38,6 +40,10 @@ Eigen::VectorXd times_of_zero(const std::vector<double>& times, const Eigen::Mat
 }
 
 }  // namespace
+
+double standard_error_of(const Band& band) {
+  return (band.high - band.low) / (2.0 * errors_of_95_percent);
+}
 
 Band band_of(Eigen::VectorXd replicates) {
   if (replicates.size() < 2 || !replicates.allFinite()) return {unknown, unknown};

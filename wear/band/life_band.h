@@ -10,6 +10,9 @@ struct Band {
   double high;
 };
 
+/// The standard error of a normal distribution whose 95 % have the band's width.
+[[nodiscard]] double standard_error_of(const Band& band);
+
 /// The 2.5 and 97.5 % quantiles of replicates, linear between them; NaN for fewer than two.
 [[nodiscard]] Band band_of(Eigen::VectorXd replicates);
 

@@ -42,3 +42,9 @@ function element(name, attributes, ...children) {
   made.append(...children.map((child) => child instanceof Node ? child : String(child)));
   return made;
 }
+
+/** A number with the prefix that keeps it short: 1e-4 J is 100 µJ. */
+function withPrefix(value, unit) {
+  const scale = prefixed([value], unit);
+  return Number((value / scale.factor).toPrecision(3)) + " " + scale.unit;
+}

@@ -31,12 +31,6 @@ function summed(lines, direction) {
 const lineColours = (count) => d3.scale.linear().domain([0, 0.35, 0.7, 1].map((share) => share * Math.max(count - 1, 1)))
   .range(["#d9a032", "#a8321c", "#2c8a93", "#16365c"]).interpolate(d3.interpolateLab);
 
-/** A number with the prefix that keeps it short: 1e-4 J is 100 µJ. */
-function withPrefix(value, unit) {
-  const scale = prefixed([value], unit);
-  return Number((value / scale.factor).toPrecision(3)) + " " + scale.unit;
-}
-
 function drawImpacts(container, lines, direction) {
   const fresh = container.cloneNode(false);
   container.replaceWith(fresh);

@@ -180,6 +180,8 @@ function drawTrade(cost, gain) {
 }
 
 function drawCourses() {
+  if (data.courses.length < donePoints.length) at("drawn").textContent =
+    `Courses, hits and profiles are drawn of ${data.courses.length} of ${donePoints.length} points, those likeliest to be the best.`;
   const courses = data.courses.map((course) => ({...course, of: data.points[course.point - 1]}));
   const lines = (value) => courses.map((course) => ({label: `point ${course.point}`, name: courses.length <= 8 ? `${course.point}: ${nameOf(course.of)}` : null,
     colour: colourOf(course.of), points: course.hours.map((hours, i) => ({x: hours, y: course[value][i]}))}));
@@ -187,6 +189,14 @@ function drawCourses() {
     text: (p) => significant(4)(p.y) + " " + unit});
   chart("height-chart", "Lifter height", "height_mm", "mm");
   chart("power-chart", "Power draw", "power_kw", "kW");
+}
+
+function drawImpacts() {
+  const series = data.courses.filter((course) => course.impacts.length).map((course) => ({label: `point ${course.point}`,
+    name: data.courses.length <= 8 ? `${course.point}: ${nameOf(data.points[course.point - 1])}` : null, colour: colourOf(data.points[course.point - 1]),
+    points: course.impacts.map(([energy, rate]) => ({x: energy, y: rate}))}));
+  lineChart(at("impact-chart"), {name: "Hits above an energy", x: "energy dissipated by a hit", value: "hits a second", series, log: true,
+    xText: (energy) => withPrefix(energy, "J"), place: (energy) => "more than " + withPrefix(energy, "J"), text: (p) => significant(3)(p.y) + " 1/s", height: 300});
 }
 
 function drawProfiles() {
@@ -246,5 +256,6 @@ drawOutput();
 drawDifferences();
 drawChosenTrade();
 drawCourses();
+drawImpacts();
 drawProfiles();
 fillAgreement();

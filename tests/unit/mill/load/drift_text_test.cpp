@@ -17,6 +17,19 @@ TEST(DriftText, SaysTorqueThenEnergyEachWithItsLimit) {
   EXPECT_EQ(spoken_torque_drift({}), "too early to tell a drift");
 }
 
+TEST(DriftText, NamesTheClassThatDriftsMost) {
+  MixingDrift sorting = slow;
+  sorting.on_liner = ClassDrift{2, {0.04, 0.07}};
+  EXPECT_EQ(spoken_drift(sorting),
+            spoken_drift(slow) + ", class 3 on the liner by 4 % (limit 7 %)");
+  std::optional<MixingDrift> read;
+  ASSERT_TRUE(read_drift(spoken_drift(sorting), read));
+  ASSERT_TRUE(read->on_liner);
+  EXPECT_EQ(read->on_liner->particle_class, 2U);
+  EXPECT_DOUBLE_EQ(read->on_liner->share.relative, 0.04);
+  EXPECT_DOUBLE_EQ(read->on_liner->share.limit, 0.07);
+}
+
 TEST(DriftText, IsReadBack) {
   std::optional<MixingDrift> read;
   ASSERT_TRUE(read_drift(spoken_drift(slow), read));

@@ -36,7 +36,7 @@ void expect_rejected(const std::string& text, const std::string& why) {
 TEST(MixingRecord, ComesBackToTheLastBit) {
   const auto written = steady();
   const std::string text = mixing_csv(written);
-  EXPECT_THAT(text, HasSubstr("\n200,0.125,-66.66666666666667,70,,,,,drifts\n"));
+  EXPECT_THAT(text, HasSubstr("\n200,0.125,-66.66666666666667,70,,,,,,,,drifts\n"));
   EXPECT_THAT(text, EndsWith(",steady\n"));
   const auto back = read_back(text);
   ASSERT_EQ(back.pieces.size(), 10U);
@@ -52,10 +52,10 @@ TEST(MixingRecord, RefusesWhatIsTornOrOfAnother) {
   expect_rejected(text.substr(0, last + 1), ":11: it ends at step 900, where");
   expect_rejected(text.substr(0, text.size() - 1), "is it torn?");
   expect_rejected(text.substr(0, last + 9), "");
-  expect_rejected("", "not a `millwear mixing` of version 1");
+  expect_rejected("", "not a `millwear mixing` of version 2");
   std::string newer = text;
-  newer.replace(newer.find("mixing 1"), 8, "mixing 2");
-  expect_rejected(newer, "not a `millwear mixing` of version 1");
+  newer.replace(newer.find("mixing 2"), 8, "mixing 3");
+  expect_rejected(newer, "not a `millwear mixing` of version 2");
   MixingPlan other = plan;
   other.piece = 50;
   EXPECT_THROW(static_cast<void>(mixing_from_csv(text, "mixing.csv", other)), ResultRejected);
@@ -74,11 +74,21 @@ TEST(MixingRecord, SaysHowItWent) {
             "%), kinetic energy by 0 % (limit 5 %)");
 }
 
+TEST(MixingRecord, KeepsTheClassesOnTheLiner) {
+  MixingRecord record = steady();
+  for (auto& piece : record.pieces) piece.on_liner = {20.5, 10.0};
+  const std::string text = mixing_csv(record);
+  EXPECT_THAT(text, HasSubstr(",state,on_liner_1,on_liner_2\n"));
+  EXPECT_THAT(text, EndsWith(",1,steady,20.5,10\n"));
+  EXPECT_EQ(read_back(text).pieces, record.pieces);
+  EXPECT_THAT(spoken_mixing(record), HasSubstr(", class 1 on the liner by 0 % (limit "));
+}
+
 // A charge of which nothing is known to drift or not leaves its fields empty.
 TEST(MixingRecord, LeavesEmptyWhatIsNotKnown) {
   const MixingRecord still{plan, std::vector<MixedPiece>(12, {0.0, 50.0})};
   const std::string text = mixing_csv(still);
-  EXPECT_THAT(text, EndsWith("\n1200,0.75,0,50,,,0,0.05,at_most\n"));
+  EXPECT_THAT(text, EndsWith("\n1200,0.75,0,50,,,0,0.05,,,,at_most\n"));
   EXPECT_EQ(read_back(text).steps(), 1200);
 }
 

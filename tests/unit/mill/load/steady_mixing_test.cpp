@@ -156,6 +156,53 @@ TEST(MixingState, OfALastingDriftEndsAtTheMost) {
   EXPECT_EQ(series.size(), 52U);
 }
 
+/// 200 and 100 particles of two classes on the liner, of which `of_first` more are of the first.
+MixedPiece with_classes(double of_first) {
+  return {-100.0, 50.0, {200.0 + of_first, 100.0 - of_first}};
+}
+
+TEST(MixingState, AsksForTheClassesOnTheLinerToo) {
+  std::vector<MixedPiece> series(15, with_classes(0.0));
+  EXPECT_EQ(mixing_state(of_seed_mill, series), MixingState::steady);
+  for (std::size_t i = 11; i < 15; ++i) series[i] = with_classes(40.0);
+  EXPECT_EQ(mixing_state(of_seed_mill, series), MixingState::drifts);
+}
+
+// Shares 2/3 and 1/3, then 0.8 and 0.2: of the first 0.1333 over its mean 0.7333, and by chance
+// sqrt((1 - p) / p * 2 / 300), 3.69 errors; of the second 3.69 as well, but for rounding.
+TEST(ClassDrift, IsOfSharesAgainstTheChanceOfCounts) {
+  std::vector<MixedPiece> series(15, with_classes(0.0));
+  for (std::size_t i = 11; i < 15; ++i) series[i] = with_classes(40.0);
+  const auto drift = class_drift(of_seed_mill, series);
+  ASSERT_TRUE(drift);
+  const double share =
+      drift->particle_class == 0 ? 0.5 * (2.0 / 3.0 + 0.8) : 0.5 * (1.0 / 3.0 + 0.2);
+  EXPECT_NEAR(drift->share.relative, (0.8 - 2.0 / 3.0) / share, 1e-12);
+  EXPECT_NEAR(drift->share.limit, 2.5 * std::sqrt((1.0 - share) / share * 2.0 / 300.0), 1e-12);
+}
+
+// With 40 pieces behind the 7 left out, the windows are of 10: a share that has grown slowly for
+// 20 pieces is seen, which two windows of four would let pass.
+TEST(ClassDrift, LooksFurtherBackTheLongerItHasGoneOn) {
+  std::vector<MixedPiece> series(47, with_classes(0.0));
+  for (auto& piece : series)
+    for (double& count : piece.on_liner) count *= 100.0;
+  for (std::size_t i = 27; i < 47; ++i)
+    series[i].on_liner[0] += 240.0 * static_cast<double>(i - 27);
+  const auto drift = class_drift(of_seed_mill, series);
+  ASSERT_TRUE(drift);
+  EXPECT_FALSE(is_steady(drift->share));
+  const auto of_last = class_drift(of_seed_mill, std::span(series).last(15));
+  ASSERT_TRUE(of_last);
+  EXPECT_TRUE(is_steady(of_last->share));
+}
+
+TEST(ClassDrift, OfOneClassOrOfNoneCountedIsNothing) {
+  EXPECT_FALSE(class_drift(of_seed_mill, std::vector<MixedPiece>(15, {-100.0, 50.0, {300.0}})));
+  EXPECT_FALSE(class_drift(of_seed_mill, std::vector<MixedPiece>(15, {-100.0, 50.0})));
+  EXPECT_FALSE(class_drift(of_seed_mill, std::vector<MixedPiece>(14, with_classes(0.0))));
+}
+
 TEST(MixingState, OfTooFewPiecesIsADriftHoweverQuiet) {
   const std::vector<MixedPiece> quiet(15, {-100.0, 50.0});
   EXPECT_EQ(mixing_state(of_seed_mill, std::span(quiet).first(14)), MixingState::drifts);

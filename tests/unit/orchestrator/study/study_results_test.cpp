@@ -115,7 +115,7 @@ TEST_F(StudyResult, RefusesAnObjectiveThatIsNoColumn) {
 TEST_F(StudyResult, IsWrittenAsATableWithErrorAndScatter) {
   const auto results = study_results(plan, folders, states);
   const std::string csv = study_csv(results);
-  EXPECT_THAT(csv, testing::StartsWith("# millwear study 1\npoint,mill.rows,replicates,done,failed,"
+  EXPECT_THAT(csv, testing::StartsWith("# millwear study 2\npoint,mill.rows,replicates,done,failed,"
                                        "life_hours,life_hours_se,life_hours_scatter,"));
   EXPECT_THAT(csv, HasSubstr("\n2,12,2,2,0,1120,"));
 }

@@ -34,7 +34,7 @@ recorder/pairs: mill/base recorder/liggghts
 recorder/record: mill wear recorder/liggghts recorder/pairs
 recorder/run: mill recorder/liggghts recorder/options recorder/neighbours recorder/pairs recorder/record
 orchestrator/process: mill/base
-orchestrator/campaign: mill meshgen wear
+orchestrator/campaign: mill meshgen wear orchestrator/process
 orchestrator/dem_run: mill liggghts_inputs wear orchestrator/process orchestrator/campaign
 orchestrator/loads: mill wear orchestrator/campaign
 orchestrator/stages: mill wear orchestrator/process orchestrator/campaign orchestrator/dem_run orchestrator/loads
@@ -44,6 +44,7 @@ orchestrator/postprocess: mill meshgen liggghts_inputs/outputs wear orchestrator
 orchestrator/gauge: mill meshgen wear orchestrator/results
 orchestrator/calibration: mill wear orchestrator/campaign orchestrator/dem_run orchestrator/results orchestrator/gauge
 orchestrator/study: mill liggghts_inputs wear orchestrator/process orchestrator/campaign orchestrator/dem_run orchestrator/loads orchestrator/results orchestrator/report
+orchestrator/cluster: mill orchestrator/process orchestrator/campaign orchestrator/dem_run orchestrator/study
 orchestrator/app: mill meshgen liggghts_inputs wear orchestrator
 '
 
@@ -100,6 +101,7 @@ library toml++ "toml" mill/case_keys/case_document.cpp
 library dlib "dlib/" orchestrator/study/design_search.cpp
 library cereal "cereal/" orchestrator/loads/kept_value.h
 library CLI11 "CLI/" orchestrator/app/command_line.cpp orchestrator/app/common_options.cpp \
+  orchestrator/app/slurm_options.cpp \
   orchestrator/app/liner_choice.cpp $(echo orchestrator/app/*_verb.cpp) recorder/options/mixing_options.cpp \
   recorder/options/option_parsing.cpp recorder/options/recording_plan.cpp \
   recorder/options/run_options.cpp

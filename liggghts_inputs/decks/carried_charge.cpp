@@ -10,6 +10,7 @@
 
 #include "liggghts_inputs/decks/free_space.h"
 #include "liggghts_inputs/decks/nearest_place.h"
+#include "liggghts_inputs/decks/random_draw.h"
 #include "mill/base/failure.h"
 
 namespace millwear::liggghts {
@@ -18,19 +19,8 @@ namespace {
 constexpr double share_of_diameter = 0.02;  // that a contact with the steel may be deep
 constexpr double same_length = 1e-9;        // relative
 
-/// A draw in [0, 1) that is the same on every platform.
-double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1.0p-53; }
-
 std::size_t one_of(std::size_t count, std::mt19937_64& random) {
-  return static_cast<std::size_t>(uniform(random) * static_cast<double>(count));
-}
-
-std::string spoken_classes(const Case& mill) {
-  std::vector<std::string> words;
-  for (const auto& kind : mill.charge.classes)
-    words.push_back(
-        fmt::format("{:g} mm {}", 1e3 * kind.diameter, mill.materials[kind.material].name));
-  return fmt::format("{}", fmt::join(words, ", "));
+  return static_cast<std::size_t>(uniform_draw(random) * static_cast<double>(count));
 }
 
 bool is_same(double a, double b) { return std::abs(a - b) <= same_length * std::abs(b); }
@@ -123,7 +113,7 @@ void check_same_charge(const Case& mill, const Case& source) {
 
 CarriedCharge carried_charge(const Case& mill, std::vector<PlacedParticle> source) {
   std::mt19937_64 random(mill.dem.seed);
-  shift_along_axis(source, mill.slice_length, uniform(random) * mill.slice_length);
+  shift_along_axis(source, mill.slice_length, uniform_draw(random) * mill.slice_length);
   auto classes = by_class(mill, std::move(source));
   CarriedCharge carried;
   FreeSpace space(mill);

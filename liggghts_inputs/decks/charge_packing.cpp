@@ -7,6 +7,7 @@
 #include <random>
 
 #include "liggghts_inputs/decks/free_space.h"
+#include "liggghts_inputs/decks/random_draw.h"
 #include "mill/base/failure.h"
 
 namespace millwear::liggghts {
@@ -18,16 +19,13 @@ constexpr double loose_solid_fraction = 0.34;
 constexpr double lean = 40.0 * std::numbers::pi / 180.0;
 constexpr int tries_per_particle = 20000;
 
-/// A draw in [0, 1) that is the same on every platform.
-double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1.0p-53; }
-
 /// A place in the mill's square under a level `top` [m] above the axis that leans as a charge does
 /// that is carried up, with the highest part on the rising side.
 Eigen::Vector3d place_under(double top, double radius, double slice_length,
                             std::mt19937_64& random) {
-  const double across = radius * (2.0 * uniform(random) - 1.0);
-  const double along_axis = slice_length * uniform(random);
-  const double up = -radius + (radius + top) * uniform(random);
+  const double across = radius * (2.0 * uniform_draw(random) - 1.0);
+  const double along_axis = slice_length * uniform_draw(random);
+  const double up = -radius + (radius + top) * uniform_draw(random);
   return {across * std::cos(lean) + up * std::sin(lean), along_axis,
           up * std::cos(lean) - across * std::sin(lean)};
 }

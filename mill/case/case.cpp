@@ -88,4 +88,13 @@ double particle_mass(const Case& mill, const ParticleClass& kind) {
   return mill.materials.at(kind.material).density * sphere_volume(kind.diameter);
 }
 
+std::string spoken_classes(const Case& mill) {
+  std::string text;
+  for (const ParticleClass& kind : mill.charge.classes) {
+    text += fmt::format("{}{} of {:.4g} m", text.empty() ? "" : ", ",
+                        mill.materials[kind.material].name, kind.diameter);
+  }
+  return text;
+}
+
 }  // namespace millwear

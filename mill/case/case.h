@@ -82,9 +82,10 @@ struct DemSettings {
   int settle_pitches = 2;            ///< turned on a new mesh before the load is measured
   double measure_revolutions = 1.0;  ///< with a target the least number
   ContactPath contact_path = ContactPath::recorder;
-  int sample_every_steps = 1;    ///< steps between two samples of the wall contacts
-  int ranks = 0;                 ///< MPI ranks; 0 takes every core
-  std::optional<double> skin{};  ///< neighbour skin [m]; by default the least particle radius
+  int sample_every_steps = 1;       ///< steps between two samples of the wall contacts
+  int ranks = 0;                    ///< MPI ranks; 0 takes every core
+  std::string launcher = "mpirun";  ///< how ranks are started; no result depends on it
+  std::optional<double> skin{};     ///< neighbour skin [m]; by default the least particle radius
   std::optional<RankSplit> rank_split{};  ///< by default `charge`
   double mesh_tolerance = 0.03;  ///< mesh against profile, share of the least particle radius
   std::uint64_t seed = 1;        ///< of the first packing
@@ -154,6 +155,9 @@ struct Case {
 
 /// Mass of one particle of a class [kg].
 [[nodiscard]] double particle_mass(const Case& mill, const ParticleClass& kind);
+
+/// "steel of 0.03 m, ore of 0.02 m": the classes of the charge.
+[[nodiscard]] std::string spoken_classes(const Case& mill);
 
 /// Largest and smallest particle diameters of the charge [m].
 [[nodiscard]] double largest_diameter(const Case& mill);

@@ -221,15 +221,6 @@ void check_mixing(const Case& mill, const CaseDocument& document, CaseProblems& 
                     mill.dem.mix_revolutions));
 }
 
-std::string spoken_classes(const Case& mill) {
-  std::string text;
-  for (const ParticleClass& kind : mill.charge.classes) {
-    text += fmt::format("{}{} of {:.4g} m", text.empty() ? "" : ", ",
-                        mill.materials[kind.material].name, kind.diameter);
-  }
-  return text;
-}
-
 void check_mechanisms(const Case& mill, const CaseDocument& document, CaseProblems& problems) {
   const auto tables = document.all("wear.mechanisms");
   for (std::size_t i = 0; i < tables.size(); ++i) {

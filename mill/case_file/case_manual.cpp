@@ -38,6 +38,8 @@ std::string_view type_text(KeyType type) {
       return "name";
     case KeyType::choice:
       return "word";
+    case KeyType::words:
+      return "text";
     case KeyType::file:
       return "file name";
     case KeyType::real:

@@ -31,6 +31,7 @@ std::string_view wanted(KeyType type) {
     case KeyType::name:
     case KeyType::choice:
     case KeyType::file:
+    case KeyType::words:
       return "a text in quotes";
     case KeyType::real:
       return "a number";
@@ -82,6 +83,7 @@ class ValueCheck {
       case KeyType::name:
       case KeyType::choice:
       case KeyType::file:
+      case KeyType::words:
         return check_text(value, spec_.type);
       case KeyType::boolean:
         return std::holds_alternative<bool>(value.data) ? void() : wrong_type(value, spec_.type);
@@ -133,9 +135,9 @@ class ValueCheck {
     } else if (type == KeyType::choice && !is_choice(*text, spec_.choices)) {
       problems_.add(value.line, fmt::format("`{}` has no choice {}; give one of {}", spec_.key,
                                             in_quotes(*text), spec_.choices));
-    } else if (type == KeyType::file &&
+    } else if ((type == KeyType::file || type == KeyType::words) &&
                std::ranges::any_of(*text, [](unsigned char c) { return c < ' '; })) {
-      problems_.add(value.line, fmt::format("`{}` is not a file name (found {}); mend it",
+      problems_.add(value.line, fmt::format("`{}` has control characters (found {}); mend it",
                                             spec_.key, in_quotes(*text)));
     }
   }

@@ -5,7 +5,7 @@
 
 namespace millwear {
 
-enum class KeyType { name, choice, file, real, integer, boolean, reals, names, points };
+enum class KeyType { name, choice, file, words, real, integer, boolean, reals, names, points };
 
 /// Allowed values of a number: from `low` to `high`, `low` itself left out where `above_low`.
 struct KeyRange {

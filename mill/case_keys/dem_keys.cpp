@@ -85,7 +85,12 @@ const std::vector<KeyRow<DemSettings>>& dem_keys() {
                         "time steps between two samples of the wall contacts; 1 for the recorder "
                         "and 20 for dumps where it is missing"),
                sample_for_contact_path),
-       defaulted("ranks", in(&Dem::ranks), between(0, 100000), "MPI ranks; 0 takes every core"),
+       defaulted("ranks", in(&Dem::ranks), between(0, 100000),
+                 "MPI ranks; 0 takes every core that the program may use"),
+       key::words(
+           "launcher", &Dem::launcher,
+           "how ranks are started: `mpirun`, `srun`, or words with `{ranks}` and `{command}`, "
+           "such as `mpiexec -n {ranks} {command}`"),
        optional("skin_m", in(&Dem::skin), positive,
                 "neighbour skin; the least particle's radius where it is missing [m]"),
        choice(Presence::optional, "rank_split", in(&Dem::rank_split),

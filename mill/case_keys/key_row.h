@@ -158,6 +158,22 @@ template <typename Settings, typename Deduce>
   return row;
 }
 
+/// A key of free text, which the locked copy names only where it is not the default.
+template <typename Settings>
+[[nodiscard]] KeyRow<Settings> words(std::string_view key, std::string Settings::*member,
+                                     std::string_view doc) {
+  const std::string usual = Settings{}.*member;
+  return {
+      .spec = {"", key, KeyType::words, Presence::defaulted, any_value, doc,
+               file_text(std::string_view(usual))},
+      .read = [member](Settings& settings,
+                       const CaseValue& value) { settings.*member = value_in<std::string>(value); },
+      .written = [member, usual](const Settings& settings) -> std::optional<std::string> {
+        if (settings.*member == usual) return std::nullopt;
+        return file_text(std::string_view(settings.*member));
+      }};
+}
+
 /// `row` of a switch that the locked copy names only where it is on.
 template <typename Settings>
 [[nodiscard]] KeyRow<Settings> locked_where_true(KeyRow<Settings> row) {

@@ -132,6 +132,29 @@ void check_charge_source(const OpenCampaign& opened) {
         charge_source(campaign.mill, campaign.folder.root / *campaign.mill.dem.charge_from));
 }
 
+/// The same run as a batch job. What there is to do is known now; what it costs is an estimate.
+void submit_campaign(const RunOptions& options, const Case& mill, const RunFolder& folder) {
+  const int ranks = options.ranks.value_or(ranks_for(mill));
+  std::vector<std::string> command = {fs::read_symlink("/proc/self/exe").string(),
+                                      "run",
+                                      fs::absolute(options.common.case_file).string(),
+                                      "--out",
+                                      fs::absolute(folder.root).string(),
+                                      "--ranks",
+                                      std::to_string(ranks),
+                                      "--quiet"};
+  if (options.seed) command.insert(command.end(), {"--seed", std::to_string(*options.seed)});
+  if (options.until) command.insert(command.end(), {"--until", *options.until});
+  const CostEstimate cost = estimate_cost(mill, ranks);
+  const auto job = submit_work(
+      {mill.name, folder.root / "slurm", command, ranks,
+       cost.mixing + cost.per_cycle * mill.campaign.cycle_limit, memory_for(mill, ranks)},
+      submission_from(options.slurm, {}), std::nullopt, {});
+  if (!job.empty())
+    fmt::print("submitted as job {}; `millwear status {}` says how far it is\n", job,
+               options.common.case_file.string());
+}
+
 Case case_to_run(const RunOptions& options) {
   Case mill = read_case(options.common.case_file);
   if (options.seed) mill.dem.seed = *options.seed;
@@ -157,6 +180,7 @@ void add_options(CLI::App& verb, RunOptions& options) {
                   "simulated to the bit is taken from there");
   verb.add_flag("--dry-run", options.dry_run, "Say which stages would run, and run none");
   verb.add_flag("--explain", options.explain, "Say why each stage runs");
+  add_options(verb, options.slurm);
 }
 
 void run_verb(const RunOptions& options) {
@@ -171,7 +195,8 @@ void run_verb(const RunOptions& options) {
   const auto how = options.explain ? Explanation::every_stage : Explanation::next_stage;
   if (options.dry_run) return explain_campaign(open(), how);
   if (mill.dem.charge_from) check_charge_source(open());
-  check_liggghts_is_installed(mill.dem.contact_path);
+  check_liggghts_is_installed(mill.dem);
+  if (options.slurm.asked()) return submit_campaign(options, mill, folder);
 
   make_folder(folder.root);
   const RunLock lock(folder.lock());
@@ -181,6 +206,11 @@ void run_verb(const RunOptions& options) {
   if (options.explain) explain_campaign(opened, how);
 
   Progress progress(options.common.verbosity);
+  if (lock.is_lease())
+    progress.say(
+        fmt::format("warning: {} is on a file system without locks; the file .lock.lease "
+                    "keeps others out, and is left for five minutes where this host dies",
+                    folder.root.string()));
   for (const auto& warning : warnings(mill)) progress.say("warning: " + warning);
   const Campaign& campaign = opened.campaign;
   Ledger so_far = opened.ledger;

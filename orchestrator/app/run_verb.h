@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "orchestrator/app/common_options.h"
+#include "orchestrator/app/slurm_options.h"
 #include "orchestrator/campaign/stage.h"
 
 namespace millwear::orchestrator {
@@ -18,6 +19,7 @@ struct RunOptions {
   std::optional<std::string> until;             ///< run no further than this stage, "3:dem"
   bool dry_run = false;                         ///< say what would run, and run nothing
   bool explain = false;                         ///< say why each stage runs
+  SlurmOptions slurm;
 };
 
 void add_options(CLI::App& verb, RunOptions& options);

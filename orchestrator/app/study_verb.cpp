@@ -1,11 +1,11 @@
 #include "orchestrator/app/study_verb.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <map>
-#include <thread>
 #include <utility>
 
 #include "mill/base/failure.h"
@@ -13,8 +13,11 @@
 #include "mill/base/whole_file.h"
 #include "mill/case_file/case_file.h"
 #include "orchestrator/campaign/output_path.h"
+#include "orchestrator/campaign/run_folder.h"
 #include "orchestrator/campaign/run_lock.h"
+#include "orchestrator/cluster/study_jobs.h"
 #include "orchestrator/dem_run/stretch_run.h"
+#include "orchestrator/process/usable_cores.h"
 #include "orchestrator/study/base_charge.h"
 #include "orchestrator/study/design_search.h"
 #include "orchestrator/study/search_study.h"
@@ -41,8 +44,6 @@ Study study_from(const StudyOptions& options) {
                     study.file.string(), points, options.most_points));
   return study;
 }
-
-int cores_here() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
 
 std::vector<std::string> command_for(const fs::path& folder, int ranks) {
   return {fs::read_symlink("/proc/self/exe").string(),
@@ -106,15 +107,90 @@ struct StudyWork {
   Progress& progress;
 };
 
+StudyRun study_run(const StudyWork& work) {
+  return {work.share.jobs,      work.share.ranks,
+          work.options.on_fail, work.options.retry_failed ? Failed::retry : Failed::leave,
+          command_for,          work.options.only};
+}
+
+bool has_base_charge(const StudyFolder& folder) {
+  return fs::exists(RunFolder{folder.base_charge()}.stage({0, StageKind::mix}));
+}
+
+/// The work of one task of an array: some campaigns, beside other tasks, so without the study's
+/// lock.
+void run_only(const StudyWork& work, const StudyPlan& plan) {
+  const auto folders = folders_of(work.folder, plan);
+  for (const auto& name : work.options.only)
+    if (std::ranges::none_of(folders,
+                             [&](const fs::path& one) { return one.filename().string() == name; }))
+      throw InputError(
+          fmt::format("{}: no campaign of the study is called {}; the study has changed since it "
+                      "was submitted, "
+                      "so submit it again",
+                      work.folder.root.string(), name));
+  if (plan.study.charge_from_base && !has_base_charge(work.folder))
+    throw ExternalProgramError(fmt::format(
+        "{}: the base case's charge is not mixed; see slurm/charge.log, and submit the study again",
+        work.folder.root.string()));
+  const int failed = run_campaigns(work.folder, plan, folders, study_run(work), work.progress);
+  if (failed > 0)
+    throw Failure(ExitCode::external_program_failed,
+                  fmt::format("{} of {} campaigns failed; see run.log in their folders", failed,
+                              work.options.only.size()));
+}
+
+/// The words that run this study here, wherever a job begins.
+std::vector<std::string> study_words(const StudyOptions& options, const StudyFolder& folder) {
+  std::vector<std::string> words = {fs::read_symlink("/proc/self/exe").string(), "study",
+                                    fs::absolute(options.common.case_file).string(), "--out",
+                                    fs::absolute(folder.root).string()};
+  for (const auto& axis : options.axes) words.insert(words.end(), {"--axis", axis});
+  if (options.replicates)
+    words.insert(words.end(), {"--replicates", std::to_string(*options.replicates)});
+  if (options.objective) words.insert(words.end(), {"--objective", *options.objective});
+  if (options.charge_from_base) words.push_back("--charge-from-base");
+  if (options.retry_failed) words.push_back("--retry-failed");
+  return words;
+}
+
+void submit_plan(const StudyOptions& options, const StudyFolder& folder, const StudyPlan& plan,
+                 const JobShare& share) {
+  const auto folders = folders_of(folder, plan);
+  if (!options.slurm.test) {
+    keep_plan(folder, plan, folders);
+    link_by_value(folder, plan, folders);
+  }
+  const SlurmSettings settings =
+      options.axes.empty() ? slurm_settings_of(plan.study.file) : SlurmSettings{};
+  const auto submitted = submit_study({plan, folder, folders, states_of(folder, folders),
+                                       study_words(options, folder), share.ranks},
+                                      submission_from(options.slurm, settings));
+  if (options.slurm.test) return;
+  if (submitted.campaigns == 0)
+    fmt::print("nothing to submit: every campaign is done, failed or in the queue\n");
+  else
+    fmt::print("submitted {} campaigns as job {}, and {} that gathers them\n", submitted.campaigns,
+               fmt::join(submitted.arrays, ", "), submitted.gathering);
+}
+
 /// Runs what is missing of a plan and returns what is known then.
 StudyResults results_of(const StudyWork& work, const StudyPlan& plan) {
   const auto folders = folders_of(work.folder, plan);
   keep_plan(work.folder, plan, folders);
   link_by_value(work.folder, plan, folders);
-  run_campaigns(work.folder, plan, folders,
-                {work.share.jobs, work.share.ranks, work.options.on_fail,
-                 work.options.retry_failed ? Failed::retry : Failed::leave, command_for},
-                work.progress);
+  const auto states = states_of(work.folder, folders);
+  const bool is_done = std::ranges::all_of(
+      states, [](const StateOfCampaign& one) { return one.state == CampaignState::done; });
+  if (plan.study.charge_from_base && !is_done)
+    mix_base_charge(work.folder, base_charge_command(plan.study, work.folder), work.progress);
+  run_campaigns(work.folder, plan, folders, study_run(work), work.progress);
+  return study_results(plan, folders, states_of(work.folder, folders));
+}
+
+/// What is known of a plan, without running anything.
+StudyResults gathered(const StudyWork& work, const StudyPlan& plan) {
+  const auto folders = folders_of(work.folder, plan);
   return study_results(plan, folders, states_of(work.folder, folders));
 }
 
@@ -186,6 +262,15 @@ void add_options(CLI::App& verb, StudyOptions& options) {
   verb.add_flag("--dry-run", options.dry_run,
                 "Print every campaign with its cost and why it would run, and run none");
   verb.add_flag("--explain", options.explain, "Print the same, and run");
+  verb.add_option("--only", options.only,
+                  "Run the campaigns in these folders of `points` alone (commas between them), and "
+                  "gather nothing")
+      ->delimiter(',');
+  verb.add_flag("--only-charge", options.only_charge,
+                "Mix the charge of the base case and no more");
+  verb.add_flag("--gather", options.gather,
+                "Write tables and page of what there is, and run nothing");
+  add_options(verb, options.slurm);
 }
 
 void study_verb(const StudyOptions& options) {
@@ -194,7 +279,7 @@ void study_verb(const StudyOptions& options) {
   const StudyFolder folder{options.out.empty() ? fs::path("studies") / study.name : options.out};
   check_output_folder("--out", folder.root);
   const Case base = read_case(study.case_file);
-  const JobShare share = job_share(cores_here(), options.jobs, base.dem.ranks);
+  const JobShare share = job_share(usable_cores(), options.jobs, base.dem.ranks);
   const bool is_search = study.combine == Combine::search;
   const StudyPlan plan = plan_of(
       is_search ? with_places(study, read_places(folder.root / "search.csv", study)) : study);
@@ -206,14 +291,25 @@ void study_verb(const StudyOptions& options) {
                  plan.points.size(), study.samples);
   }
   if (options.dry_run) return;
-  check_liggghts_is_installed(base.dem.contact_path);
+  check_liggghts_is_installed(base.dem);
+
+  if (options.slurm.asked() && is_search)
+    throw Failure(ExitCode::usage,
+                  "a search chooses its points one after the other, so it is not submitted as an "
+                  "array; run it inside one job");
+  if (options.slurm.test) return submit_plan(options, folder, plan, share);
 
   make_folder(folder.root);
-  const RunLock lock(folder.lock());
   Progress progress(options.common.verbosity);
   const StudyWork work{options, folder, share, progress};
-  if (study.charge_from_base) mix_base_charge(folder, base_charge_command(study, folder), progress);
-  const StudyResults results = is_search ? search(work, study) : results_of(work, plan);
+  if (options.only_charge)
+    return mix_base_charge(folder, base_charge_command(study, folder), progress);
+  if (!options.only.empty()) return run_only(work, plan);
+  const RunLock lock(folder.lock());
+  if (options.slurm.submit) return submit_plan(options, folder, plan, share);
+  const StudyResults results = options.gather ? gathered(work, plan)
+                               : is_search    ? search(work, study)
+                                              : results_of(work, plan);
   publish_study(folder, results);
   print_results(options, folder, results);
 }

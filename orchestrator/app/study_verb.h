@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "orchestrator/app/common_options.h"
+#include "orchestrator/app/slurm_options.h"
 #include "orchestrator/study/run_campaigns.h"
 
 namespace millwear::orchestrator {
@@ -23,6 +24,10 @@ struct StudyOptions {
   bool retry_failed = false;
   bool dry_run = false;
   bool explain = false;
+  SlurmOptions slurm;
+  std::vector<std::string> only;  ///< names of folders: run these campaigns and gather nothing
+  bool only_charge = false;       ///< mix the base case's charge and no more
+  bool gather = false;            ///< write tables and page of what there is, and run nothing
 };
 
 void add_options(CLI::App& verb, StudyOptions& options);

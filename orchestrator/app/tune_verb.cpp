@@ -115,7 +115,7 @@ void add_options(CLI::App& verb, TuneOptions& options) {
 
 void tune_verb(const TuneOptions& options) {
   const Case mill = read_case(options.common.case_file);
-  check_liggghts_is_installed(mill.dem.contact_path);
+  check_liggghts_is_installed(mill.dem);
   const RunFolder source = run_folder_of(mill, options.out);
   const auto kept = campaign_up_to_mixing(source);
   std::optional<RunLock> lock;

@@ -11,6 +11,7 @@ bool only_lowers_limits(const Case& here, const Case& there) {
       limits.plate_limit > there.campaign.plate_limit)
     return false;
   Case lowered = there;
+  lowered.dem.launcher = here.dem.launcher;
   lowered.campaign.height_limit = limits.height_limit;
   lowered.campaign.plate_limit = limits.plate_limit;
   lowered.campaign.cycle_limit = limits.cycle_limit;

@@ -15,7 +15,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string hash_of_case(const Case& mill) { return hash_of_text(locked_case_text(mill)); }
+/// Of all that a result depends on.
+std::string hash_of_case(Case mill) {
+  mill.dem.launcher = DemSettings{}.launcher;
+  return hash_of_text(locked_case_text(mill));
+}
 
 void check_same_case(const Case& mill, const Ledger& ledger, const RunFolder& folder) {
   if (ledger.start.case_hash == hash_of_case(mill)) return;

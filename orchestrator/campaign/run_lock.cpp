@@ -8,40 +8,61 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <string>
+#include <string_view>
 
 #include "mill/base/failure.h"
+#include "orchestrator/campaign/folder_lease.h"
+#include "orchestrator/campaign/lock_holder.h"
 
 namespace millwear::orchestrator {
+namespace {
 
-RunLock::RunLock(const std::filesystem::path& file)
+namespace fs = std::filesystem;
+
+fs::path lease_beside(const fs::path& lock) { return lock.string() + ".lease"; }
+
+std::string text_in(int fd) {
+  std::array<char, 512> text{};
+  const ssize_t length = ::pread(fd, text.data(), text.size(), 0);
+  return {text.data(), length > 0 ? static_cast<std::size_t>(length) : 0};
+}
+
+}  // namespace
+
+RunLock::RunLock(const fs::path& file)
     : fd_(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
   if (fd_ < 0)
     throw DiskError(fmt::format("{}: cannot be opened: {}", file.string(), std::strerror(errno)));
-  if (::flock(fd_, LOCK_EX | LOCK_NB) != 0) {
-    std::array<char, 64> holder{};
-    const ssize_t length = ::read(fd_, holder.data(), holder.size() - 1);
+  try {
+    if (::flock(fd_, LOCK_EX | LOCK_NB) != 0) {
+      if (errno == EWOULDBLOCK)
+        throw Failure(
+            ExitCode::locked,
+            fmt::format("{}: the folder is in use by {}; wait for it, or give --out "
+                        "another folder",
+                        file.parent_path().string(), spoken(lock_holder_from(text_in(fd_)))));
+      lease_ = std::make_unique<FolderLease>(lease_beside(file));
+    }
+    const std::string holder = written(this_process());
+    if (::ftruncate(fd_, 0) != 0 || ::pwrite(fd_, holder.data(), holder.size(), 0) < 0)
+      throw DiskError(
+          fmt::format("{}: cannot be written: {}", file.string(), std::strerror(errno)));
+  } catch (...) {
     ::close(fd_);
-    throw Failure(ExitCode::locked,
-                  fmt::format("{}: the folder is in use by process {}; wait for it, or give --out "
-                              "another folder",
-                              file.parent_path().string(), length > 0 ? holder.data() : "?"));
-  }
-  const std::string pid = std::to_string(::getpid());
-  if (::ftruncate(fd_, 0) != 0 || ::write(fd_, pid.data(), pid.size()) < 0) {
-    const std::string why = std::strerror(errno);
-    ::close(fd_);
-    throw DiskError(fmt::format("{}: cannot be written: {}", file.string(), why));
+    throw;
   }
 }
 
 RunLock::~RunLock() { ::close(fd_); }
 
-bool is_locked(const std::filesystem::path& file) {
+bool is_locked(const fs::path& file) {
   const int fd = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
   if (fd < 0) return false;
-  const bool taken = ::flock(fd, LOCK_SH | LOCK_NB) != 0;
+  const bool is_free = ::flock(fd, LOCK_SH | LOCK_NB) == 0;
+  const bool has_locks = is_free || errno == EWOULDBLOCK;
   ::close(fd);
-  return taken;
+  return has_locks ? !is_free : lease_holder(lease_beside(file)).has_value();
 }
 
 }  // namespace millwear::orchestrator

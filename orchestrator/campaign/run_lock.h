@@ -1,20 +1,28 @@
 #pragma once
 #include <filesystem>
+#include <memory>
 
 namespace millwear::orchestrator {
 
+class FolderLease;
+
 /// Holds a run folder for this process alone. The lock is the kernel's (flock) and goes with the
-/// process however it ends, so nothing stale is ever left.
+/// process however it ends. Where the file system has no locks, a lease takes its place
+/// (folder_lease.h).
 class RunLock {
  public:
-  /// Throws Failure (exit code 7), with the holder's process, if the folder is in use.
+  /// Throws Failure (exit code 7), with the holder's process and host, if the folder is in use.
   explicit RunLock(const std::filesystem::path& file);
   ~RunLock();
   RunLock(const RunLock&) = delete;
   RunLock& operator=(const RunLock&) = delete;
 
+  /// Whether the file system has no locks.
+  [[nodiscard]] bool is_lease() const { return lease_ != nullptr; }
+
  private:
   int fd_;
+  std::unique_ptr<FolderLease> lease_;
 };
 
 /// Whether some process holds the lock now.

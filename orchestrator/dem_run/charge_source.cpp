@@ -67,7 +67,8 @@ std::vector<PlacedParticle> particles_of(const liggghts::Snapshot& snapshot,
 }
 
 /// Has LIGGGHTS write the charge down, in a folder of its own within `into` that does not stay.
-std::vector<PlacedParticle> read_charge(const ChargeSource& source, const fs::path& into) {
+std::vector<PlacedParticle> read_charge(const ChargeSource& source, const std::string& launcher,
+                                        const fs::path& into) {
   const fs::path folder = into / "charge_source";
   make_folder(folder);
   write_file(folder / names::deck,
@@ -76,7 +77,7 @@ std::vector<PlacedParticle> read_charge(const ChargeSource& source, const fs::pa
   liggghts::SnapshotReader reader(
       source.restart.string(), liggghts::spin_columns,
       [&](const liggghts::Snapshot& snapshot) { particles = particles_of(snapshot, source); });
-  run_liggghts({folder, 1, {}},
+  run_liggghts({folder, 1, {}, {}, launcher},
                {{charge_dump, [&](std::string_view piece) { reader.feed(piece); }}});
   reader.finish();
   const std::size_t wanted = totals(source.mill).particles;
@@ -111,7 +112,7 @@ FirstCharge first_charge(const Campaign& campaign, int cycle, const fs::path& in
   mill.liner = dem_liner_of_cycle(campaign, cycle);
   if (cycle > 0 || !mill.dem.charge_from) return {liggghts::pack_charge(mill), ""};
   const ChargeSource source = charge_source(mill, campaign.folder.root / *mill.dem.charge_from);
-  auto carried = liggghts::carried_charge(mill, read_charge(source, into));
+  auto carried = liggghts::carried_charge(mill, read_charge(source, mill.dem.launcher, into));
   return {std::move(carried.particles),
           fmt::format("charge of {}: {} particles moved out of the steel, {} added, {} left behind",
                       source.restart.string(), carried.moved, carried.added, carried.left)};

@@ -1,16 +1,11 @@
 #include "orchestrator/dem_run/cost_estimate.h"
 
-#include <algorithm>
-#include <thread>
-
 #include "liggghts_inputs/decks/stretch.h"
+#include "orchestrator/process/usable_cores.h"
 
 namespace millwear::orchestrator {
 
-int ranks_for(const Case& mill) {
-  return mill.dem.ranks > 0 ? mill.dem.ranks
-                            : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-}
+int ranks_for(const Case& mill) { return mill.dem.ranks > 0 ? mill.dem.ranks : usable_cores(); }
 
 CostEstimate estimate_cost(const Case& mill, int ranks) {
   const auto plan = plan_steps(mill);

@@ -7,7 +7,7 @@ namespace millwear::orchestrator {
 /// balls) makes 3.1e6 on each of two cores, 38,000 particles of 45 to 180 mm in 8 m make 1.4e6.
 inline constexpr double particle_steps_per_second = 1.5e6;
 
-/// Ranks a run takes: the case's, or every core of this machine.
+/// Ranks a run takes: the case's, or every core that this process may use.
 [[nodiscard]] int ranks_for(const Case& mill);
 
 /// What LIGGGHTS is likely to take [s]; within a factor of three.

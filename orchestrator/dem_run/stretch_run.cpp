@@ -10,12 +10,12 @@
 #include <cstring>
 #include <fstream>
 #include <string>
-#include <thread>
 #include <utility>
 
 #include "liggghts_inputs/decks/deck.h"
 #include "mill/base/failure.h"
 #include "mill/recording/recorder_orders.h"
+#include "orchestrator/dem_run/launcher.h"
 #include "orchestrator/process/child_process.h"
 
 namespace millwear::orchestrator {
@@ -91,27 +91,13 @@ class PrintedOutput {
   std::string unfinished_;
 };
 
-std::vector<std::string> mpirun_command(int ranks) {
-  const auto mpirun = program_on_path("mpirun", "openmpi-bin").string();
-  std::vector<std::string> command = {mpirun, "-np", std::to_string(ranks), "--bind-to", "none"};
-  // Ranks that share a core have to yield it while they wait; with a core each that costs a fifth.
-  if (ranks > static_cast<int>(std::thread::hardware_concurrency()))
-    command.push_back("--oversubscribe");
-  if (::geteuid() == 0) command.push_back("--allow-run-as-root");
-  return command;
-}
-
-std::vector<std::string> command_of(const StretchRun& run) {
-  auto command = mpirun_command(run.ranks);
-  if (!run.recorder) {
-    command.insert(command.end(), {program_on_path("liggghts", "liggghts").string(), "-in",
-                                   liggghts::file_names::deck, "-log", "none"});
-    return command;
-  }
-  command.push_back(run.recorder->program.string());
-  const auto& more = run.recorder->arguments;
-  command.insert(command.end(), more.begin(), more.end());
-  return command;
+std::vector<std::string> program_of(const StretchRun& run) {
+  if (!run.recorder)
+    return {program_on_path("liggghts", "liggghts").string(), "-in", liggghts::file_names::deck,
+            "-log", "none"};
+  std::vector<std::string> words = {run.recorder->program.string()};
+  words.insert(words.end(), run.recorder->arguments.begin(), run.recorder->arguments.end());
+  return words;
 }
 
 }  // namespace
@@ -136,14 +122,15 @@ std::optional<RecorderProgram> unrecorded_program(ContactPath path) {
                          to_arguments(DeckRunOptions{liggghts::file_names::deck})};
 }
 
-void check_liggghts_is_installed(ContactPath path) {
-  static_cast<void>(mpirun_command(1));
+void check_liggghts_is_installed(const DemSettings& settings) {
+  check_started_once();
+  static_cast<void>(launch_words(settings.launcher, 1, {}));
   static_cast<void>(program_on_path("liggghts", "liggghts"));
-  if (path == ContactPath::recorder) static_cast<void>(recorder_program());
+  if (settings.contact_path == ContactPath::recorder) static_cast<void>(recorder_program());
 }
 
 int run_liggghts(const StretchRun& run, const std::vector<DumpPipe>& pipes) {
-  const auto command = command_of(run);
+  const auto command = launch_words(run.launcher, run.ranks, program_of(run));
   std::vector<NamedPipe> ends;
   for (const auto& pipe : pipes) ends.emplace_back(run.folder / pipe.name);
   PrintedOutput printed(run.folder / liggghts::file_names::log, run.take_line);

@@ -23,6 +23,7 @@ struct StretchRun {
   /// Called with every line LIGGGHTS prints, for progress.
   std::function<void(std::string_view)> take_line;
   std::optional<RecorderProgram> recorder{};
+  std::string launcher = "mpirun";  ///< `launch_words` says what that may be
 };
 
 /// A named pipe in the run's folder that LIGGGHTS writes a dump into, and who reads it.
@@ -39,9 +40,10 @@ struct DumpPipe {
 /// Throws as `recorder_program` does.
 [[nodiscard]] std::optional<RecorderProgram> unrecorded_program(ContactPath path);
 
-/// Throws ExternalProgramError if mpirun, liggghts (naming the Debian package) or, where the case
-/// wants it, the recorder is missing.
-void check_liggghts_is_installed(ContactPath path);
+/// Throws ExternalProgramError if the launcher, liggghts (naming the Debian package) or, where the
+/// case wants it, the recorder is missing; InputError for a launcher that starts nothing, Failure
+/// (usage) where srun has started this program several times.
+void check_liggghts_is_installed(const DemSettings& settings);
 
 /// Runs the deck to its end, feeding the dumps to their readers as they come; what LIGGGHTS prints
 /// is kept in its log file in the folder. The pipes are made before and removed after.

@@ -110,7 +110,8 @@ liggghts::StretchSteps steps_of_load(const liggghts::StretchSteps& planned, cons
 void record(const Campaign& campaign, int cycle, const liggghts::StretchSteps& planned,
             const fs::path& into, Progress& progress) {
   run_liggghts({into, campaign.ranks, step_follower({cycle, StageKind::dem}, planned, progress),
-                RecorderProgram{recorder_program(), recorder_arguments(campaign.mill)}},
+                RecorderProgram{recorder_program(), recorder_arguments(campaign.mill)},
+                campaign.mill.dem.launcher},
                {});
   check_stretch(campaign, cycle, steps_of_load(planned, into), into);
   std::vector<const char*> files = {stage_files::load};
@@ -141,7 +142,11 @@ void read_dumps(const Campaign& campaign, int cycle, const liggghts::StretchStep
       {names::contacts, [&](std::string_view piece) { contacts.feed(piece); }},
       {names::spins, [&](std::string_view piece) { spins.feed(piece); }}};
 
-  run_liggghts({into, campaign.ranks, step_follower({cycle, StageKind::dem}, steps, progress)},
+  run_liggghts({into,
+                campaign.ranks,
+                step_follower({cycle, StageKind::dem}, steps, progress),
+                {},
+                mill.dem.launcher},
                mill.dem.keep_dumps ? std::vector<DumpPipe>{} : dumps);
   check_stretch(campaign, cycle, steps, into);
   if (mill.dem.keep_dumps)
@@ -164,7 +169,8 @@ void mix_until_steady(const Campaign& campaign, int cycle, const fs::path& into,
     follow_steps(line);
   };
   run_liggghts({into, campaign.ranks, take_line,
-                RecorderProgram{recorder_program(), mixing_arguments(campaign.mill)}},
+                RecorderProgram{recorder_program(), mixing_arguments(campaign.mill)},
+                campaign.mill.dem.launcher},
                {});
   // Without a record it did not come to its end, and the log tells why.
   if (!fs::exists(into / stage_files::mixing)) return check_stretch(campaign, cycle, steps, into);
@@ -226,7 +232,7 @@ void mix_stage(const Campaign& campaign, int cycle, const fs::path& into, Progre
     progress.say(fmt::format("cycle {}: {}", cycle, words));
   if (campaign.mill.dem.mix_until_steady) return mix_until_steady(campaign, cycle, into, progress);
   run_liggghts({into, campaign.ranks, step_follower({cycle, StageKind::mix}, steps, progress),
-                unrecorded_program(campaign.mill.dem.contact_path)},
+                unrecorded_program(campaign.mill.dem.contact_path), campaign.mill.dem.launcher},
                {});
   check_stretch(campaign, cycle, steps, into);
 }

@@ -54,7 +54,11 @@ void time_piece(const TrialBench& bench, DeckTrial& trial) {
   write_file(bench.folder / names::deck,
              liggghts::trial_deck(mill, bench.steps, fmt::format("../mix/{}", names::restart),
                                   bench.campaign.ranks));
-  run_liggghts({bench.folder, bench.campaign.ranks, {}, unrecorded_program(mill.dem.contact_path)},
+  run_liggghts({bench.folder,
+                bench.campaign.ranks,
+                {},
+                unrecorded_program(mill.dem.contact_path),
+                mill.dem.launcher},
                {});
   const fs::path log = bench.folder / names::log;
   const std::string printed = read_file(log);

@@ -132,8 +132,11 @@ std::filesystem::path program_on_path(const std::string& name, const std::string
       return candidate;
   }
   throw ExternalProgramError(
-      fmt::format("{} is not on PATH; install the Debian package `{}` (apt-get install {})", name,
-                  package, package));
+      fmt::format("{} is not on PATH{}", name,
+                  package.empty() ? ""
+                                  : fmt::format("; install the Debian package `{0}` (apt-get "
+                                                "install {0})",
+                                                package)));
 }
 
 void note_interrupts() {

@@ -42,7 +42,8 @@ class ChildProcess {
   bool ended_ = false;
 };
 
-/// Where a program is on PATH. Throws ExternalProgramError, naming the Debian package that has it.
+/// Where a program is on PATH. Throws ExternalProgramError, naming the Debian package that has it
+/// (empty where none does).
 [[nodiscard]] std::filesystem::path program_on_path(const std::string& name,
                                                     const std::string& package);
 

@@ -20,6 +20,7 @@
 #include "orchestrator/dem_run/charge_source.h"
 #include "orchestrator/dem_run/tune_stage.h"
 #include "orchestrator/process/child_process.h"
+#include "orchestrator/process/host_name.h"
 
 namespace millwear::orchestrator {
 namespace {
@@ -35,6 +36,7 @@ Case dem_case(const Campaign& campaign, const StageId& stage) {
   Case mill = case_of_stretch(campaign, stage);
   mill.name.clear();
   mill.dem.charge_from.reset();
+  mill.dem.launcher = DemSettings{}.launcher;
   const auto reversals = mill.campaign.reversal_times;
   mill.campaign = {.height_limit = 0.0, .plate_limit = 0.0};
   mill.campaign.reversal_times = reversals;
@@ -75,14 +77,15 @@ std::string text_of(const LinerProfile& liner) {
   return text;
 }
 
-/// Holds a file for this process alone, waiting for others.
+/// Holds a file for this process alone, waiting for others; on a file system without locks nobody
+/// waits, and at worst two campaigns do the same work.
 class WaitingLock {
  public:
   explicit WaitingLock(const fs::path& file)
       : fd_(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
     if (fd_ < 0)
       throw DiskError(fmt::format("{}: cannot be opened: {}", file.string(), std::strerror(errno)));
-    while (::flock(fd_, LOCK_EX | LOCK_NB) != 0) {
+    while (::flock(fd_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
       std::this_thread::sleep_for(between_tries);
       try {
         stop_if_interrupted();
@@ -125,7 +128,8 @@ void take(const fs::path& stored, const fs::path& into) {
 
 /// Leaves the files of a folder in the store by one rename.
 void leave(const fs::path& from, const fs::path& stored) {
-  const fs::path partial = stored.string() + ".partial";
+  const fs::path partial =
+      fmt::format("{}.{}.{}.partial", stored.string(), host_name(), ::getpid());
   fs::remove_all(partial);
   fs::remove_all(stored);
   make_folder(partial);

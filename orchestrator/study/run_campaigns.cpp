@@ -116,12 +116,17 @@ void take_ended(const StudyFolder& folder, const std::vector<fs::path>& all, con
 }
 
 /// The numbers of the campaigns that are to run, the longest first.
-std::deque<std::size_t> to_run(const StudyPlan& plan, const std::vector<StateOfCampaign>& states,
-                               Failed failed) {
+std::deque<std::size_t> to_run(const StudyPlan& plan, const std::vector<fs::path>& all,
+                               const std::vector<StateOfCampaign>& states, const StudyRun& how) {
+  const auto is_asked_for = [&](std::size_t i) {
+    return how.only.empty() ||
+           std::ranges::find(how.only, all[i].filename().string()) != how.only.end();
+  };
   std::vector<std::size_t> numbers;
   for (std::size_t i = 0; i < states.size(); ++i)
-    if (states[i].state == CampaignState::waiting ||
-        (states[i].state == CampaignState::failed && failed == Failed::retry))
+    if (is_asked_for(i) &&
+        (states[i].state == CampaignState::waiting ||
+         (states[i].state == CampaignState::failed && how.failed == Failed::retry)))
       numbers.push_back(i);
   std::ranges::stable_sort(numbers, [&](std::size_t a, std::size_t b) {
     return plan.campaigns[a].cost > plan.campaigns[b].cost;
@@ -166,7 +171,7 @@ JobShare job_share(int cores, int asked_jobs, int ranks_of_case) {
 
 int run_campaigns(const StudyFolder& folder, const StudyPlan& plan,
                   const std::vector<fs::path>& all, const StudyRun& how, Progress& progress) {
-  Course course{to_run(plan, states_of(folder, all), how.failed), {}, 0, 0};
+  Course course{to_run(plan, all, states_of(folder, all), how), {}, 0, 0};
   course.done = all.size() - course.waiting.size();
   auto looked = Clock::now();
   progress.begin("study", 0.0, 1.0);

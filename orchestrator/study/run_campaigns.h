@@ -24,6 +24,7 @@ struct StudyRun {
   Failed failed = Failed::leave;
   /// What runs the campaign whose case lies in a folder, on so many ranks.
   std::function<std::vector<std::string>(const std::filesystem::path& folder, int ranks)> command;
+  std::vector<std::string> only{};  ///< names of folders; empty: all campaigns
 };
 
 /// Where a campaign of a study stands.

@@ -8,6 +8,7 @@
 
 #include "mill/base/csv.h"
 #include "mill/base/number_or_null.h"
+#include "orchestrator/campaign/run_folder.h"
 
 namespace millwear::orchestrator {
 namespace {
@@ -70,6 +71,7 @@ Json campaigns_json(const StudyResults& results, std::size_t point) {
         {{"folder", results.folders[i].filename().string()},
          {"seed", campaign.seed},
          {"state", name_of(results.states[i].state)},
+         {"has_report", std::filesystem::exists(RunFolder{results.folders[i]}.report())},
          {"wall_hours", results.figures[i] ? Json(wall_hours(results.folders[i])) : Json(nullptr)},
          {"figures", figures}});
   }

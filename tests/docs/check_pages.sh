@@ -104,7 +104,7 @@ check_commands() {
   done <"$work/commands"
 }
 
-sed -n 's/^| `\([a-z_]*\)` |.*/\1/p' docs/case_file.md docs/how_to_run_a_study.md >"$work/keys"
+sed -n 's/^| `\([a-z_]*\)` |.*/\1/p' docs/case_file.md docs/how_to_run_a_study.md docs/cluster.md >"$work/keys"
 check_keys() {
   awk '/^ *```/ { inside = !inside && $0 ~ /```toml/; next }
     inside && /^ *[a-z_]+ *=/ { print FNR "\t" $1 }' "$1" >"$work/used"

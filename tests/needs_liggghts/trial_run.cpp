@@ -46,7 +46,7 @@ fs::path ScratchFolder::stage(const std::string& name) const {
 
 bool liggghts_is_installed() {
   try {
-    orchestrator::check_liggghts_is_installed(ContactPath::dumps);
+    orchestrator::check_liggghts_is_installed({.contact_path = ContactPath::dumps});
     return true;
   } catch (const ExternalProgramError&) {
     return false;

@@ -78,7 +78,8 @@ function axisColumns() {
 }
 
 function pointLink(point) {
-  const campaign = point.campaigns[0];
+  const campaign = point.campaigns.find((one) => one.has_report);
+  if (!campaign) return document.createTextNode(point.point);
   return element("a", {href: `points/${encodeURIComponent(campaign.folder)}/report.html`}, point.point);
 }
 

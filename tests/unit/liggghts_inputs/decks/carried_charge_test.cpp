@@ -142,11 +142,12 @@ TEST(SameCharge, NamesAllThatDiffers) {
                                       HasSubstr("the density of ore (2700 kg/m3, there 3000)"))));
   source = mill;
   source.charge.classes[2].diameter = 0.025;
-  EXPECT_THAT([&] { check_same_charge(mill, source); },
-              ThrowsMessage<InputError>(AllOf(
-                  HasSubstr("the charge (50 mm steel, 30 mm ore, 20 mm ore, there 50 mm steel, 30 "
-                            "mm ore, 25 mm ore)"),
-                  Not(HasSubstr("shell")))));
+  EXPECT_THAT(
+      [&] { check_same_charge(mill, source); },
+      ThrowsMessage<InputError>(AllOf(
+          HasSubstr("the charge (steel of 0.05 m, ore of 0.03 m, ore of 0.02 m, there steel of "
+                    "0.05 m, ore of 0.03 m, ore of 0.025 m)"),
+          Not(HasSubstr("shell")))));
 }
 
 // Half a lattice's diagonal away at most while the place is empty, and further out once it is full.

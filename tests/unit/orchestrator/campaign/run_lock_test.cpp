@@ -58,7 +58,8 @@ TEST_F(Lock, RefusesASecondHolderAndNamesTheFirst) {
   } catch (const Failure& failure) {
     EXPECT_EQ(failure.exit_code, ExitCode::locked);
     EXPECT_THAT(failure.what(), testing::HasSubstr(folder.path().string()));
-    EXPECT_THAT(failure.what(), testing::HasSubstr("process " + std::to_string(holder.pid())));
+    EXPECT_THAT(failure.what(),
+                testing::HasSubstr("process " + std::to_string(holder.pid()) + " on "));
   }
   EXPECT_TRUE(is_locked(file));
 }

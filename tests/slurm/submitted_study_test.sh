@@ -1,0 +1,54 @@
+#!/bin/sh
+# A study as an array of a real Slurm: one task reaches its walltime and is queued again, another is
+# killed in the middle of its DEM, the same command submits what is missing, and the results are those
+# of a study that ran here undisturbed.
+#   submitted_study_test.sh PROGRAM CASE
+set -eu
+program=$1 case=$2
+here=$(cd "$(dirname "$0")" && pwd)
+work=$(mktemp -d)
+. "$here/slurm_here.sh"
+trap 'stop_slurm; [ -n "${KEEP:-}" ] || rm -rf "$work"' EXIT
+fail() { echo "$1"; tail -n 20 "$work"/study/slurm/*.log 2>/dev/null || true; exit 1; }
+start_slurm "$work/slurm"
+
+# Slurm warns within half a minute before it has to: here after some 20 s, when a campaign that takes
+# half a minute alone is not done.
+sed 's/^measure_revolutions.*/measure_revolutions = 14.0/' "$case" >"$work/case.toml"
+cat >"$work/study.toml" <<STUDY
+format_version = 1
+name = "submitted"
+case = "case.toml"
+
+[slurm]
+partition = "all"
+time = "00:01:00"
+memory_gb = 0.5
+signal_seconds = 10
+
+[[axes]]
+key = "mill.rows"
+values = [6, 8]
+STUDY
+cd "$work"
+"$program" study study.toml --slurm-dry-run >dry_run
+grep -q '^#SBATCH --partition=all$' dry_run && grep -q 'to start at' dry_run || { cat dry_run; exit 1; }
+[ ! -e studies ] || fail "a dry run left a folder"
+"$program" study study.toml --out local --jobs 2 --quiet >/dev/null &
+local_study=$!
+wait $local_study
+
+"$program" study study.toml --out study --slurm
+sleep 5
+"$program" study study.toml --out study --slurm | grep -q 'nothing to submit' || fail "queued campaigns were submitted twice"
+until ls study/points/*/cycle_000/.dem.partial >/dev/null 2>&1; do sleep 0.2; done
+victim=$(squeue --noheader --array --states=RUNNING --format=%i --name=points_0 | head -1)
+scancel --full -s KILL "$victim"
+wait_for_jobs() {
+  until [ -z "$(squeue --noheader)" ]; do sleep 2; done
+}
+wait_for_jobs
+grep -q 'queued again' study/slurm/points_0_*.log || fail "no task reached its walltime and was queued again"
+"$program" study study.toml --out study --slurm >/dev/null
+wait_for_jobs
+cmp local/study.csv study/study.csv || fail "the results differ"

@@ -20,6 +20,15 @@ std::string boot_id() {
   return id.empty() ? "unknown" : id;
 }
 
+/// Ended, and not yet waited for by its parent.
+bool is_zombie(long process) {
+  std::ifstream file(fmt::format("/proc/{}/stat", process));
+  std::string text;
+  std::getline(file, text);
+  const auto name_end = text.rfind(')');  // a program's name may have anything in it
+  return name_end != std::string::npos && text.compare(name_end + 1, 3, " Z ") == 0;
+}
+
 }  // namespace
 
 LockHolder this_process() { return {host_name(), ::getpid(), boot_id()}; }
@@ -39,7 +48,8 @@ bool is_gone(const LockHolder& holder) {
   const LockHolder here = this_process();
   if (holder.host != here.host) return false;
   if (holder.boot != here.boot) return true;
-  return ::kill(static_cast<pid_t>(holder.process), 0) != 0 && errno == ESRCH;
+  if (::kill(static_cast<pid_t>(holder.process), 0) != 0) return errno == ESRCH;
+  return is_zombie(holder.process);
 }
 
 std::string spoken(const std::optional<LockHolder>& holder) {

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <unistd.h>
 
+#include "orchestrator/campaign/lock_holder.h"
 #include "tests/crash/reference_campaign.h"
 
 namespace millwear::crash {
@@ -169,7 +170,10 @@ TEST_F(FinishedCampaign, NamesTheLineOfADamagedLedger) {
 TEST_F(Refusal, ToWriteMessagesIntoFilesWhenStandardErrorIsClosed) {
   ReferenceCampaign::get().copy_up_to("cycle_002/wear", campaign);
   EXPECT_EQ(millwear(run_into(campaign), {.without_standard_error = true}).code, 0);
-  EXPECT_EQ(text_of(campaign / ".lock").find_first_not_of("0123456789"), std::string::npos);
+  const std::string lock = text_of(campaign / ".lock");
+  const auto holder = orchestrator::lock_holder_from(lock);
+  ASSERT_TRUE(holder) << lock;
+  EXPECT_EQ(lock, orchestrator::written(*holder));
   expect_resumes_to_the_same(campaign);
 }
 

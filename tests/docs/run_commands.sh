@@ -9,6 +9,7 @@
 #   make TARGET           the target exists (`make -n`)
 #   cmake, ctest          the preset exists
 #   scripts/...           the script exists and is valid shell
+#   ... --slurm           check_pages.sh knows the options; tests/slurm submits to a Slurm of its own
 #
 #   tests/docs/run_commands.sh FOLDER_OF_PROGRAMS [PAGE...]     from the root of the sources
 #
@@ -119,6 +120,7 @@ for page in "$@"; do
   rm -rf "$work/page"
   while IFS="$tab" read -r place command; do
     case $command in
+      *" --slurm"*) continue ;;
       "make "* | "cmake "* | "ctest "* | scripts/*)
         fault=$(fault_of_named "$command")
         [ -z "$fault" ] || { echo "$place: $command"; echo "  $fault"; failed=1; }

@@ -31,6 +31,7 @@ class StudyPage : public testing::Test {
       states.push_back(
           {i + 1 < plan.campaigns.size() ? CampaignState::done : CampaignState::failed, ""});
     }
+    put_text(folders.front() / "report.html", "");
     page = drawn(study_html(study_results(plan, folders, states), installed_d3()),
                  folder.path() / "page");
   }
@@ -64,6 +65,8 @@ TEST_F(StudyPage, NamesTheBestPointAndListsAll) {
   EXPECT_NE(page.find("5 of 6 done, 1 failed"), std::string::npos);
   EXPECT_EQ(count_of(part_between(page, "id=\"points-table\"", "</section>"), "<tr"), 4U);
   EXPECT_NE(page.find("points/0/report.html"), std::string::npos);
+  EXPECT_EQ(page.find("points/2/report.html"), std::string::npos)
+      << "a link to a report that is not there";
 }
 
 TEST_F(StudyPage, DrawsEffectsCoursesAndProfiles) {

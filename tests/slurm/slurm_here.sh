@@ -24,6 +24,7 @@ SelectType=select/cons_tres
 SelectTypeParameters=CR_Core_Memory
 ReturnToService=2
 KillWait=5
+SlurmdParameters=config_overrides
 SchedulerParameters=sched_interval=5,bf_interval=5
 SlurmctldPidFile=$slurm/slurmctld.pid
 SlurmdPidFile=$slurm/slurmd.pid

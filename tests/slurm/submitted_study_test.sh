@@ -5,6 +5,7 @@
 #   submitted_study_test.sh PROGRAM CASE
 set -eu
 program=$1 case=$2
+[ "$(id -u)" = 0 ] || { echo "only root can start a Slurm here"; exit 77; }
 here=$(cd "$(dirname "$0")" && pwd)
 work=$(mktemp -d)
 . "$here/slurm_here.sh"
@@ -12,9 +13,13 @@ trap 'stop_slurm; [ -n "${KEEP:-}" ] || rm -rf "$work"' EXIT
 fail() { echo "$1"; tail -n 20 "$work"/study/slurm/*.log 2>/dev/null || true; exit 1; }
 start_slurm "$work/slurm"
 
-# Slurm warns within half a minute before it has to: here after some 20 s, when a campaign that takes
-# half a minute alone is not done.
-sed 's/^measure_revolutions.*/measure_revolutions = 14.0/' "$case" >"$work/case.toml"
+# Slurm warns within half a minute before it has to: here after some 20 s. A load should take about 12 s,
+# so that a campaign of several is not done by then, and a load is.
+sed 's/^measure_revolutions.*/measure_revolutions = 4.0/' "$case" >"$work/probe.toml"
+begin=$(date +%s%N)
+"$program" run "$work/probe.toml" --out "$work/probe" --until 0:dem --quiet >/dev/null
+revolutions=$(awk -v taken=$(($(date +%s%N) - begin)) 'BEGIN { printf "%.1f", 4.0 * 12e9 / taken }')
+sed "s/^measure_revolutions.*/measure_revolutions = $revolutions/" "$case" >"$work/case.toml"
 cat >"$work/study.toml" <<STUDY
 format_version = 1
 name = "submitted"

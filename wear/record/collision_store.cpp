@@ -140,7 +140,8 @@ class CollisionWriter::File {
   [[nodiscard]] Handle create(const std::filesystem::path& path) const {
     const Handle options(H5Pcreate(H5P_FILE_CREATE), H5Pclose, failure_);
     check(H5Pset_obj_track_times(options.id(), false));
-    return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, options.id(), H5P_DEFAULT), H5Fclose, failure_};
+    const Handle access = unlocked_access(failure_);
+    return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, options.id(), access.id()), H5Fclose, failure_};
   }
 
   [[nodiscard]] Handle new_set(const Column& column) const {

@@ -76,11 +76,18 @@ std::int64_t read_attribute(std::int64_t owner, const char* name, const std::str
   return number;
 }
 
+Handle unlocked_access(const std::string& failure) {
+  Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, failure);
+  if (H5Pset_file_locking(access.id(), false, true) < 0) throw DiskError(failure);
+  return access;
+}
+
 Handle open_to_read(const std::filesystem::path& path, const FileFormat& format) {
   if (!std::filesystem::is_regular_file(path))
     throw DiskError(path.string() + ": there is no such file");
   const std::string damaged = damaged_text(path);
-  Handle file = found(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, damaged);
+  const Handle access = unlocked_access(damaged);
+  Handle file = found(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose, damaged);
   if (read_text(file.id(), "type", damaged) != format.type)
     throw ResultRejected(fmt::format("{}: is no {}", path.string(), format.type));
   const std::int64_t version = read_attribute(file.id(), "format_version", damaged);

@@ -68,6 +68,10 @@ void write_attribute(std::int64_t owner, const char* name, std::int64_t number,
                      const std::string& failure);
 void write_format(std::int64_t file, const FileFormat& format, const std::string& failure);
 
+/// How files are opened: without HDF5's own locks, which a file system may lack. Files are complete
+/// before anybody reads them, and a folder has a lock of its own. Throws DiskError with `failure`.
+[[nodiscard]] Handle unlocked_access(const std::string& failure);
+
 /// Opens a file to read. Throws DiskError where there is none, ResultRejected where it is of
 /// another type or version, or damaged.
 [[nodiscard]] Handle open_to_read(const std::filesystem::path& path, const FileFormat& format);

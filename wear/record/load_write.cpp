@@ -152,7 +152,7 @@ class Writer {
   [[nodiscard]] Handle create() const {
     constexpr std::size_t growth = 1 << 20;
     Handle options = untimed(H5P_FILE_CREATE);
-    Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, failure_);
+    const Handle access = unlocked_access(failure_);
     check(H5Pset_fapl_core(access.id(), growth, false));
     return {H5Fcreate(path_.c_str(), H5F_ACC_TRUNC, options.id(), access.id()), H5Fclose, failure_};
   }

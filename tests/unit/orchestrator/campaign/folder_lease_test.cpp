@@ -55,6 +55,18 @@ TEST_F(Lease, OfAProcessThatIsGoneIsTakenOver) {
   EXPECT_EQ(lease_holder(file), this_process());
 }
 
+TEST_F(Lease, OfAProcessThatItsParentHasNotWaitedForIsTakenOver) {
+  const pid_t zombie = ::fork();
+  if (zombie == 0) ::_exit(0);
+  siginfo_t ended{};
+  ASSERT_EQ(::waitid(P_PID, static_cast<id_t>(zombie), &ended, WEXITED | WNOWAIT), 0);
+  LockHolder left = this_process();
+  left.process = zombie;
+  leave(left, 0);
+  EXPECT_NO_THROW(FolderLease{file});
+  ::waitpid(zombie, nullptr, 0);
+}
+
 TEST_F(Lease, OfAnEarlierBootIsTakenOver) {
   LockHolder left = this_process();
   left.boot = "earlier";

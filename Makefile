@@ -1,5 +1,5 @@
 # millwear from the shell. `make help` says what there is.
-.PHONY: all build demo study seed seed-check test unit sanitize coverage check-style bench install clean help
+.PHONY: all build demo study seed seed-check test unit slurm-test sanitize coverage check-style bench install clean help
 
 PROGRAM := build/release/millwear
 DEMO_CASE := cases/pilot_mill/case.toml
@@ -43,6 +43,12 @@ unit: ## Only the tests that need neither LIGGGHTS nor a browser
 	@cmake --preset ci >/dev/null
 	@cmake --build --preset ci
 	@$(CTEST) -LE 'needs_liggghts|needs_chromium'
+
+slurm-test: ## Submit a study to a Slurm of one node, started on this machine; as root, two minutes
+	@scripts/install_packages.sh slurm
+	@cmake --preset ci -DMILLWEAR_SLURM_TESTS=ON >/dev/null
+	@cmake --build --preset ci
+	@$(CTEST) -L slurm
 
 sanitize: ## Unit tests under address and undefined-behaviour sanitizers; no two types of one name
 	@scripts/install_packages.sh test

@@ -85,15 +85,13 @@ void check_not_empty(const Case& mill, const std::vector<PlacedParticle>& partic
 
 void check_same_charge(const Case& mill, const Case& source) {
   std::vector<std::string> problems;
-  const auto compare = [&](const std::string& what, double here, double there, double scale,
-                           const char* unit) {
+  const auto compare = [&](const std::string& what, double here, double there, const char* unit) {
     if (!is_same(here, there))
-      problems.push_back(
-          fmt::format("{} ({:g} {}, there {:g})", what, scale * here, unit, scale * there));
+      problems.push_back(fmt::format("{} ({:g} {}, there {:g})", what, here, unit, there));
   };
   compare("the shell's diameter", 2.0 * mill.liner.sector.shell_radius,
-          2.0 * source.liner.sector.shell_radius, 1.0, "m");
-  compare("the slice's length", mill.slice_length, source.slice_length, 1.0, "m");
+          2.0 * source.liner.sector.shell_radius, "m");
+  compare("the slice's length", mill.slice_length, source.slice_length, "m");
   if (!has_same_classes(mill, source)) {
     problems.push_back(
         fmt::format("the charge ({}, there {})", spoken_classes(mill), spoken_classes(source)));
@@ -101,7 +99,7 @@ void check_same_charge(const Case& mill, const Case& source) {
     for (std::size_t c = 0; c < mill.charge.classes.size(); ++c) {
       const auto& material = mill.materials[mill.charge.classes[c].material];
       compare(fmt::format("the density of {}", material.name), material.density,
-              source.materials[source.charge.classes[c].material].density, 1.0, "kg/m3");
+              source.materials[source.charge.classes[c].material].density, "kg/m3");
     }
   }
   if (!problems.empty())

@@ -13,6 +13,7 @@
 #include "mill/case_file/case_warnings.h"
 #include "mill/liner/profile_measures.h"
 #include "orchestrator/campaign/mesh_files.h"
+#include "orchestrator/campaign/open_campaign.h"
 #include "orchestrator/dem_run/charge_source.h"
 #include "orchestrator/dem_run/cost_estimate.h"
 
@@ -136,8 +137,7 @@ void add_options(CLI::App& verb, CheckOptions& options) { add_options(verb, opti
 void check_verb(const CheckOptions& options) {
   const Case mill = read_case(options.common.case_file);
   check_liner_can_be_meshed(mill);
-  if (mill.dem.charge_from)
-    static_cast<void>(charge_source(mill, mill.file.parent_path() / *mill.dem.charge_from));
+  if (mill.dem.charge_from) static_cast<void>(charge_source(mill, folder_of_charge(mill)));
   const int ranks = ranks_for(mill);
   if (options.common.form == OutputForm::json)
     fmt::print("{}\n", check_json(mill, ranks).dump(1));

@@ -12,6 +12,7 @@
 #include "orchestrator/app/liner_choice.h"
 #include "orchestrator/campaign/campaign.h"
 #include "orchestrator/campaign/mesh_files.h"
+#include "orchestrator/campaign/open_campaign.h"
 #include "orchestrator/campaign/output_path.h"
 #include "orchestrator/dem_run/cost_estimate.h"
 #include "orchestrator/dem_run/mixing.h"
@@ -33,9 +34,7 @@ void deck_verb(const DeckOptions& options) {
   Case untuned = mill;
   untuned.dem.tune = false;
   // A path from the folder of the case is none from the folder of the decks.
-  if (untuned.dem.charge_from)
-    untuned.dem.charge_from =
-        std::filesystem::absolute(mill.file).parent_path() / *mill.dem.charge_from;
+  if (mill.dem.charge_from) untuned.dem.charge_from = folder_of_charge(mill);
   const Campaign campaign{untuned, {folder}, options.ranks.value_or(ranks_for(mill))};
   const auto folder_of = [&](StageKind kind) {
     const auto stage_folder = campaign.folder.stage({0, kind});

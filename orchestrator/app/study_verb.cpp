@@ -13,7 +13,6 @@
 #include "mill/base/whole_file.h"
 #include "mill/case_file/case_file.h"
 #include "orchestrator/campaign/output_path.h"
-#include "orchestrator/campaign/run_folder.h"
 #include "orchestrator/campaign/run_lock.h"
 #include "orchestrator/cluster/study_jobs.h"
 #include "orchestrator/dem_run/stretch_run.h"
@@ -111,10 +110,6 @@ StudyRun study_run(const StudyWork& work) {
   return {work.share.jobs,      work.share.ranks,
           work.options.on_fail, work.options.retry_failed ? Failed::retry : Failed::leave,
           command_for,          work.options.only};
-}
-
-bool has_base_charge(const StudyFolder& folder) {
-  return fs::exists(RunFolder{folder.base_charge()}.stage({0, StageKind::mix}));
 }
 
 /// The work of one task of an array: some campaigns, beside other tasks, so without the study's

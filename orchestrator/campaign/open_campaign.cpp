@@ -35,8 +35,8 @@ void check_same_case(const Case& mill, const Ledger& ledger, const RunFolder& fo
 Case as_kept(Case mill, const RunFolder& folder) {
   auto& charge_from = mill.dem.charge_from;
   if (charge_from && charge_from->is_relative())
-    charge_from = fs::weakly_canonical(fs::absolute(mill.file).parent_path() / *charge_from)
-                      .lexically_relative(fs::weakly_canonical(fs::absolute(folder.root)));
+    charge_from =
+        folder_of_charge(mill).lexically_relative(fs::weakly_canonical(fs::absolute(folder.root)));
   return mill;
 }
 
@@ -62,6 +62,10 @@ fs::path tables_in(const RunFolder& folder) {
 
 RunFolder run_folder_of(const Case& mill, const fs::path& out) {
   return {out.empty() ? fs::path("runs") / mill.name : out};
+}
+
+fs::path folder_of_charge(const Case& mill) {
+  return fs::weakly_canonical(fs::absolute(mill.file).parent_path() / *mill.dem.charge_from);
 }
 
 OpenCampaign campaign_to_run(const Case& described, const RunFolder& folder,

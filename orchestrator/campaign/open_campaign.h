@@ -17,6 +17,10 @@ struct OpenCampaign {
 /// The folder of a case's campaign: `out`, or runs/NAME where that is empty.
 [[nodiscard]] RunFolder run_folder_of(const Case& mill, const std::filesystem::path& out);
 
+/// The folder that `charge_from` names in a case that has it, absolute: it starts from the folder
+/// of the case file.
+[[nodiscard]] std::filesystem::path folder_of_charge(const Case& mill);
+
 /// Who starts a campaign.
 struct CampaignStarter {
   std::string program;  ///< name and version

@@ -9,6 +9,7 @@
 
 #include "mill/base/published_file.h"
 #include "mill/base/whole_file.h"
+#include "orchestrator/study/base_charge.h"
 
 namespace millwear::orchestrator {
 namespace {
@@ -96,8 +97,7 @@ SubmittedStudy submit_study(const StudyToSubmit& study, const Submission& how) {
   if (!is_test) make_folder(folder);
 
   std::vector<std::string> first;
-  if (study.plan.study.charge_from_base &&
-      !fs::exists(study.folder.base_charge() / "cycle_000" / "mix"))
+  if (study.plan.study.charge_from_base && !has_base_charge(study.folder))
     first = {submit_work(
         {"charge", folder, with(study.command, {"--only-charge"}), study.ranks, seconds, memory},
         how, std::nullopt, {})};

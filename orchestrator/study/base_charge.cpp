@@ -18,10 +18,14 @@ constexpr auto between_looks = std::chrono::milliseconds(200);
 
 }  // namespace
 
+bool has_base_charge(const StudyFolder& folder) {
+  return std::filesystem::exists(RunFolder{folder.base_charge()}.stage({0, StageKind::mix}));
+}
+
 void mix_base_charge(const StudyFolder& folder, const std::vector<std::string>& command,
                      Progress& progress) {
+  if (has_base_charge(folder)) return;
   const RunFolder campaign{folder.base_charge()};
-  if (std::filesystem::exists(campaign.stage({0, StageKind::mix}))) return;
   make_folder(campaign.root);
   const auto log = campaign.root / "run.log";
   progress.begin("mixing the base case's charge", 0.0, 0.0);

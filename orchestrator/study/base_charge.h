@@ -7,6 +7,9 @@
 
 namespace millwear::orchestrator {
 
+/// Whether the base case of a study with `charge_from_base` is mixed.
+[[nodiscard]] bool has_base_charge(const StudyFolder& folder);
+
 /// Mixes the base case of a study with `charge_from_base`, in the study's folder `charge`, unless
 /// that is done. `command` runs the campaign in that folder up to its first mixing. Throws
 /// ExternalProgramError where it fails, and Interrupted; the same call then goes on.

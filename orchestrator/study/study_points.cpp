@@ -17,6 +17,7 @@
 #include "mill/case_file/case_lock.h"
 #include "mill/case_keys/case_schema.h"
 #include "orchestrator/campaign/ledger.h"
+#include "orchestrator/campaign/open_campaign.h"
 #include "orchestrator/dem_run/cost_estimate.h"
 #include "orchestrator/study/derived_axes.h"
 #include "orchestrator/study/study_values.h"
@@ -141,8 +142,7 @@ void take_charge(const Study& study, const Case& base, Case& mill) {
     mill.dem.charge_from = base_charge;
     mill.dem.mix_until_steady = mill.dem.contact_path == ContactPath::recorder;
   } else if (mill.dem.charge_from) {
-    mill.dem.charge_from =
-        fs::weakly_canonical(fs::absolute(base.file).parent_path() / *mill.dem.charge_from);
+    mill.dem.charge_from = folder_of_charge(mill);
   }
 }
 

@@ -2,44 +2,14 @@
 
 #include <cmath>
 #include <cstdio>
-#include <random>
 
 #include "tests/support/sample_profiles.h"
-#include "wear/band/campaign_band.h"
-#include "wear/evolve/evolution.h"
-#include "wear/rate/smoothing_error.h"
+#include "tests/verification/wear/noisy_campaign.h"
 
 namespace millwear::wear {
 namespace {
 
-constexpr Eigen::Index bins = 40;
-constexpr Eigen::Index blocks = 10;
-constexpr double depth_rate = 1e-9;
 constexpr double depth_to_limit = 0.025;
-
-/// The plate of a mill; it wears the faster the more it has lost.
-double true_rate(const LinerProfile& liner, double growth) {
-  const double worn = radius_of(liner.sector, liner.nodes.front()) - liner.sector.plate_radius;
-  return depth_rate * (1.0 + growth * worn);
-}
-
-/// What a measurement shows of an even rate: time blocks that scatter as a whole, and by place.
-struct Measurement {
-  Eigen::MatrixXd by_block;
-  SmoothedLoss loss;
-};
-
-Measurement measured(const LinerProfile& liner, double rate, std::mt19937_64& random) {
-  std::normal_distribution<double> normal;
-  Eigen::MatrixXd by_block(bins, blocks);
-  for (Eigen::Index block = 0; block < blocks; ++block) {
-    const double whole = 0.2 * normal(random);
-    for (Eigen::Index bin = 0; bin < bins; ++bin)
-      by_block(bin, block) = rate * std::max(0.0, 1.0 + whole + 0.2 * normal(random));
-  }
-  return {by_block, smoothed(Eigen::VectorXd::LinSpaced(bins + 1, 0.0, arc_lengths(liner).back()),
-                             by_block.rowwise().mean(), by_block)};
-}
 
 struct Campaign {
   double life;
@@ -47,31 +17,17 @@ struct Campaign {
   double predicted_error;  ///< standard error of the life, from the band's width
 };
 
+/// The plate of a mill, loaded by points.
 Campaign campaign(const CampaignSettings& settings, double growth, std::uint64_t seed) {
-  std::mt19937_64 random(seed);
-  std::vector<WornCycle> cycles;
-  std::vector<TimedLoad> loads;
-  LinerProfile liner = bare_ring(1.0, 12);
-  double time = 0.0;
-  for (auto end = EvolutionEnd::load_spent; end == EvolutionEnd::load_spent;) {
-    const auto [by_block, loss] = measured(liner, true_rate(liner, growth), random);
-    loads.push_back({time, liner, loss.rate, by_block});
-    const auto evolution =
-        evolve(loads, depth_to_limit * arc_lengths(bare_ring()).back(), settings);
-    cycles.push_back({loads.back(),
-                      rate_replicates(loss, 200, seed * 1000 + cycles.size(), ReplicateOf::noise),
-                      {}});
-    for (const auto& step : evolution.steps) {
-      cycles.back().steps.push_back({step.duration, step.profile});
-      time += step.duration;
-    }
-    liner = evolution.steps.back().profile;
-    end = evolution.end;
-  }
-  const Eigen::VectorXd replicates = lives_of(cycles, bands_of(cycles, settings.scheme), settings);
+  const LinerProfile ring = bare_ring(1.0, 12);
+  const double section = depth_to_limit * arc_lengths(bare_ring()).back();
+  const KnownMill mill{ring, section, growth, {0.0, 0.0}, 0.0, 0.2, 0.2};
+  const auto worn = noisy_campaign(mill, settings, seed);
+  const Eigen::VectorXd replicates =
+      lives_of(worn.cycles, bands_of(worn.cycles, settings.scheme), settings);
   const Band band = band_of(replicates);
   // A rate near zero makes a life without limit, and so the replicates have no variance.
-  return {time, band, (band.high - band.low) / (2.0 * 1.96)};
+  return {worn.duration, band, standard_error_of(band)};
 }
 
 struct Coverage {

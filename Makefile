@@ -44,9 +44,9 @@ unit: ## Only the tests that need neither LIGGGHTS nor a browser
 	@cmake --build --preset ci
 	@$(CTEST) -LE 'needs_liggghts|needs_chromium'
 
-slurm-test: ## Submit a study to a Slurm of one node, started on this machine; as root, two minutes
-	@scripts/install_packages.sh slurm
-	@cmake --preset ci -DMILLWEAR_SLURM_TESTS=ON >/dev/null
+slurm-test: ## Submit a study to a Slurm of one node, started on this machine; as root, five minutes
+	@scripts/install_packages.sh test
+	@cmake --preset ci >/dev/null
 	@cmake --build --preset ci
 	@$(CTEST) -L slurm
 

@@ -29,15 +29,17 @@ wear/calibrate: mill wear/numerics wear/evolve
 wear/gauge: mill wear/numerics wear/record wear/evolve
 recorder/liggghts:
 recorder/options: mill
+recorder/balance: mill/base
 recorder/neighbours: recorder/liggghts
 recorder/pairs: mill/base recorder/liggghts
 recorder/record: mill wear recorder/liggghts recorder/pairs
-recorder/run: mill recorder/liggghts recorder/options recorder/neighbours recorder/pairs recorder/record
+recorder/run: mill recorder/liggghts recorder/options recorder/balance recorder/neighbours recorder/pairs recorder/record
 orchestrator/process: mill/base
 orchestrator/campaign: mill meshgen wear orchestrator/process
 orchestrator/dem_run: mill liggghts_inputs wear orchestrator/process orchestrator/campaign
+orchestrator/stretch: mill liggghts_inputs wear orchestrator/process orchestrator/campaign orchestrator/dem_run
 orchestrator/loads: mill wear orchestrator/campaign
-orchestrator/stages: mill wear orchestrator/process orchestrator/campaign orchestrator/dem_run orchestrator/loads
+orchestrator/stages: mill wear orchestrator/process orchestrator/campaign orchestrator/dem_run orchestrator/stretch orchestrator/loads
 orchestrator/results: mill wear orchestrator/campaign orchestrator/dem_run orchestrator/loads
 orchestrator/report: mill/base orchestrator/process orchestrator/results
 orchestrator/postprocess: mill meshgen liggghts_inputs/outputs wear orchestrator/process orchestrator/campaign orchestrator/dem_run
@@ -105,14 +107,14 @@ library CLI11 "CLI/" orchestrator/app/command_line.cpp orchestrator/app/common_o
   orchestrator/app/liner_choice.cpp $(echo orchestrator/app/*_verb.cpp) recorder/options/mixing_options.cpp \
   recorder/options/option_parsing.cpp recorder/options/recording_plan.cpp \
   recorder/options/run_options.cpp
-library LIGGGHTS "liggghts/" recorder/record/charge_census.cpp recorder/run/deck_run.cpp \
+library LIGGGHTS "liggghts/" recorder/balance/balanced_columns.cpp recorder/record/charge_census.cpp recorder/run/deck_run.cpp \
   recorder/run/main.cpp recorder/record/liner_census.cpp recorder/record/mesh_hook.cpp recorder/neighbours/neighbours_by_size.cpp \
   recorder/pairs/pair_contacts.cpp recorder/neighbours/particle_neighbours.cpp \
   recorder/neighbours/particle_neighbours.h recorder/run/steady_mixing_run.cpp \
   recorder/record/stretch_recorder.cpp recorder/pairs/touching_pairs.cpp \
   recorder/record/wall_module.cpp recorder/record/wall_module.h recorder/neighbours/wall_neighbours.cpp \
   $(echo recorder/pairs/contact_models/style_*_model.h)
-library MPI "mpi\.h" recorder/run/main.cpp recorder/record/rank_exchange.h \
+library MPI "mpi\.h" recorder/balance/balanced_columns.cpp recorder/run/main.cpp recorder/record/rank_exchange.h \
   recorder/run/steady_mixing_run.cpp recorder/record/stretch_recorder.h
 
 # A program that links the wear library need not describe a whole mill: no header of it reaches

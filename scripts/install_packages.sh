@@ -1,6 +1,5 @@
 #!/bin/sh
-# Installs the Debian packages that millwear needs: `run` for using it, `test` for its tests too,
-# `slurm` for those with a cluster as well.
+# Installs the Debian packages that millwear needs: `run` for using it, `test` for its tests too.
 # Does nothing where all are there; without root it says what to install.
 set -eu
 
@@ -9,14 +8,13 @@ for_running="build-essential cmake ninja-build pkg-config
   libgmsh-dev libgsl-dev libhdf5-dev libeigen3-dev libpolyclipping-dev libdxflib-dev
   libtomlplusplus-dev libcli11-dev libfmt-dev nlohmann-json3-dev libxxhash-dev libcereal-dev libdlib-dev
   gnuplot-nox libjs-d3"
-for_testing="clang-format libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev libboost-dev chromium"
-for_slurm="slurmctld slurmd slurm-client"
+for_testing="clang-format libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev libboost-dev chromium
+  slurmctld slurmd slurm-client"
 
 case "${1:-run}" in
   run) wanted=$for_running ;;
   test) wanted="$for_running $for_testing" ;;
-  slurm) wanted="$for_running $for_testing $for_slurm" ;;
-  *) echo "usage: $0 [run|test|slurm]" >&2; exit 2 ;;
+  *) echo "usage: $0 [run|test]" >&2; exit 2 ;;
 esac
 
 missing=""

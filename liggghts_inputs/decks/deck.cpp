@@ -16,7 +16,6 @@ namespace millwear::liggghts {
 namespace {
 
 constexpr int thermo_lines = 200;
-constexpr int torque_values = 200;
 
 std::string number(double value) { return fmt::format("{}", value); }
 
@@ -62,9 +61,10 @@ std::string dumps(const Case& mill, const StretchSteps& steps) {
                                           {"spins_file", file_names::spins}});
 }
 
-std::string liner_id(StretchKind kind, int cycle) {
+std::string liner_id(const MeshInMill& mesh) {
   constexpr std::array<std::string_view, 3> suffixes = {"_mix", "_trial", ""};
-  return fmt::format("liner_{:03}{}", cycle, suffixes[static_cast<std::size_t>(kind)]);
+  return fmt::format("liner_{:03}{}{}", mesh.cycle, suffixes[static_cast<std::size_t>(mesh.kind)],
+                     mesh.chunk > 0 ? fmt::format("_chunk_{}", mesh.chunk) : "");
 }
 
 std::string drift(const Case& mill) {
@@ -78,7 +78,20 @@ std::string drift(const Case& mill) {
 }
 
 std::string rank_grid(const Case& mill, int ranks) {
+  if (rank_split(mill, ranks) == RankSplit::balanced) {
+    const int columns = rank_columns(mill, ranks);
+    return fmt::format("{} {} 1", columns, ranks / columns);
+  }
   return rank_split(mill, ranks) == RankSplit::charge ? "2 * 1" : "1 * 1";
+}
+
+/// Balanced columns are cut before every run: for the packed charge, and for the turning one.
+std::string mix_runs(const Case& mill, const StretchSteps& steps, int ranks) {
+  const StepPlan plan = plan_steps(mill);
+  const long falling = (mill.liner.sector.rows + 3) / 4 * plan.steps_per_pitch;
+  if (!columns_to_balance(mill, ranks) || mill.dem.mix_until_steady || steps.total() <= falling)
+    return fmt::format("run           {}", steps.total());
+  return fmt::format("run           {}\nrun           {}", falling, steps.total() - falling);
 }
 
 std::string measure_runs(const StretchSteps& steps) {
@@ -101,12 +114,28 @@ double neighbour_skin(const Case& mill) {
 // Along the axis the charge is even, but slabs thinner than the largest particle have mostly ghosts
 // in them: cut through the charge they are better shared in most mills.
 RankSplit rank_split(const Case& mill, int ranks) {
-  if (ranks % 2 == 1) return RankSplit::axis;
-  return mill.dem.rank_split.value_or(RankSplit::charge);
+  const RankSplit split = mill.dem.rank_split.value_or(RankSplit::charge);
+  return split == RankSplit::charge && ranks % 2 == 1 ? RankSplit::axis : split;
+}
+
+int rank_columns(const Case& mill, int ranks) {
+  const double width = 2.0 * mill.liner.sector.plate_radius;
+  const auto surface = [&](int columns) {
+    return columns / width + static_cast<double>(ranks) / columns / mill.slice_length;
+  };
+  int best = ranks;
+  for (int columns = 1; columns < ranks; ++columns)
+    if (ranks % columns == 0 && surface(columns) < surface(best)) best = columns;
+  return best;
+}
+
+std::optional<long> columns_to_balance(const Case& mill, int ranks) {
+  if (ranks == 1 || rank_split(mill, ranks) != RankSplit::balanced) return std::nullopt;
+  return rank_columns(mill, ranks);
 }
 
 std::string contact_model_deck(const Case& mill, const StretchSteps& steps,
-                               const LinerMeshFile& mesh, StretchKind kind, int cycle) {
+                               const LinerMeshFile& mesh, const MeshInMill& which) {
   std::vector<std::string> names;
   for (const auto& material : mill.materials) names.push_back(material.name);
   const auto youngs_modulus = [&](std::size_t m) {
@@ -129,23 +158,25 @@ std::string contact_model_deck(const Case& mill, const StretchSteps& steps,
         by_pair(mill, [](const MaterialPair& p) { return p.rolling_friction; })},
        {"rolling_friction_model", cdt ? "cdt" : "epsd2"},
        {"time_step_s", number(steps.time_step)},
-       {"liner_id", liner_id(kind, cycle)},
+       {"liner_id", liner_id(which)},
        {"stl_file", mesh.stl_file},
        {"liner_type", fmt::format("{}", mill.liner_material + 1)},
        {"period_s", number(2.0 * std::numbers::pi / mill.speed)}});
 }
 
-std::string mixing_deck(const Case& mill, const StretchSteps& steps, int ranks) {
+std::string mixing_deck(const Case& mill, const StretchSteps& steps,
+                        const std::optional<std::string>& previous_restart, int ranks) {
   return filled_template(
       mix_template,
       {{"case_name", mill.name},
        {"rank_grid", rank_grid(mill, ranks)},
-       {"charge_file", file_names::charge},
+       {"read_charge", previous_restart ? fmt::format("read_restart  {}", *previous_restart)
+                                        : fmt::format("read_data     {}", file_names::charge)},
        {"skin_m", number(neighbour_skin(mill))},
        {"contact_model_file", file_names::contact_model},
        {"thermo_steps", fmt::format("{}", std::max(1L, steps.total() / thermo_lines))},
        {"drift", drift(mill)},
-       {"mix_steps", fmt::format("{}", steps.total())},
+       {"mix_runs", mix_runs(mill, steps, ranks)},
        {"restart_file", file_names::restart},
        {"sentinel", std::string(sentinel)}});
 }
@@ -163,7 +194,7 @@ std::string measuring_deck(const Case& mill, const StretchSteps& steps, const Li
        {"thermo_steps", fmt::format("{}", std::max(1L, steps.total() / thermo_lines))},
        {"settle_steps", fmt::format("{}", steps.settle_steps)},
        {"dumps", dumps(mill, steps)},
-       {"torque_steps", fmt::format("{}", std::max(1L, steps.measure_steps / torque_values))},
+       {"torque_steps", fmt::format("{}", steps.torque_interval())},
        {"torque_file", file_names::torque},
        {"measure_runs", measure_runs(steps)},
        {"restart_file", file_names::restart},

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 
 #include "liggghts_inputs/decks/stretch.h"
@@ -28,24 +29,39 @@ inline constexpr const char* torque = "torque.txt";
 /// radius (docs/how_to_run_dem_faster.md).
 [[nodiscard]] double neighbour_skin(const Case& mill);
 
-/// How `ranks` MPI ranks share the mill in the deck: an even number as the case says, by default
-/// `charge`, where the box of `charge_data_file` is cut; an odd number along the axis.
+/// How `ranks` MPI ranks share the mill in the deck: as the case says, by default `charge`, where
+/// the box of `charge_data_file` is cut; an odd number along the axis unless it is `balanced`.
 [[nodiscard]] RankSplit rank_split(const Case& mill, int ranks);
 
-/// Which mesh stands in the mill: every cycle's mesh has an ID of its own (see
-/// templates/contact_model.in), and those of a mixing stretch and a trial differ from the
-/// measuring one's.
+/// With RankSplit::balanced: how many columns across the mill the ranks make, each cut along the
+/// axis. Of the divisors of `ranks` the one with the least surface between ranks, for a charge as
+/// wide as the mill.
+[[nodiscard]] int rank_columns(const Case& mill, int ranks);
+
+/// What the recorder is told of the columns: their number, or none where the cuts are LIGGGHTS's.
+[[nodiscard]] std::optional<long> columns_to_balance(const Case& mill, int ranks);
+
 enum class StretchKind { mix, trial, measure };
+
+/// Which mesh stands in the mill: each has an ID of its own (see templates/contact_model.in), and a
+/// charge comes from the restart file of another.
+struct MeshInMill {
+  StretchKind kind;
+  int cycle;
+  int chunk = 0;
+};
 
 /// Contact model, materials and liner, shared by both kinds of stretch.
 [[nodiscard]] std::string contact_model_deck(const Case& mill, const StretchSteps& steps,
-                                             const LinerMeshFile& mesh, StretchKind kind,
-                                             int cycle);
+                                             const LinerMeshFile& mesh, const MeshInMill& which);
 
-/// The deck of the first stretch: reads the packed charge, mixes it, writes a restart file. Like
-/// the others for `ranks` MPI ranks: one for an even number runs on any even number, one for an odd
-/// number on any.
-[[nodiscard]] std::string mixing_deck(const Case& mill, const StretchSteps& steps, int ranks);
+/// The deck of the first stretch: reads the packed charge, or where it is not the first chunk of
+/// the mixing that of `previous_restart` (a path relative to the run's folder), mixes it, writes a
+/// restart file. Like the others for `ranks` MPI ranks: one for an even number runs on any even
+/// number, one for an odd number on any.
+[[nodiscard]] std::string mixing_deck(const Case& mill, const StretchSteps& steps,
+                                      const std::optional<std::string>& previous_restart,
+                                      int ranks);
 
 /// The deck of a measuring stretch on `worn`, the liner of this cycle, from the charge that
 /// `previous_restart` (a path relative to the run's folder) holds.

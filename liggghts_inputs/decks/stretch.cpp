@@ -12,6 +12,8 @@
 namespace millwear::liggghts {
 namespace {
 
+constexpr long torque_values = 200;
+
 long whole_pitches(double revolutions, int rows) {
   return static_cast<long>(std::ceil(revolutions * rows - 1e-9));
 }
@@ -25,6 +27,10 @@ double StretchSteps::measure_time() const { return time_step * static_cast<doubl
 long StretchSteps::samples() const { return (measure_steps + sample_steps - 1) / sample_steps; }
 double StretchSteps::sample_interval() const {
   return time_step * static_cast<double>(sample_steps);
+}
+
+long StretchSteps::torque_interval() const {
+  return torque_steps > 0 ? torque_steps : std::max(1L, measure_steps / torque_values);
 }
 
 StretchSteps mixing_steps(const Case& mill, const StepPlan& plan) {

@@ -23,6 +23,8 @@ struct StretchSteps {
   /// time blocks both; 0 for one that does not.
   long go_on_steps = 0;
   long most_measure_steps = 0;  ///< ... and ends with these; 0 for one that does not go on
+  long torque_steps = 0;  ///< the liner's torque is averaged over these; 0: over a two hundredth
+                          ///< of `measure_steps`
   [[nodiscard]] long total() const { return settle_steps + measure_steps; }
   /// The last step, however long the measurement goes on.
   [[nodiscard]] long most_total() const {
@@ -32,6 +34,7 @@ struct StretchSteps {
   /// Steps in (settle, total] that are sampled: every `sample_steps` after settling, and the last.
   [[nodiscard]] long samples() const;
   [[nodiscard]] double sample_interval() const;  ///< [s]
+  [[nodiscard]] long torque_interval() const;    ///< steps
 };
 
 /// Mixes for `dem.mix_revolutions`, rounded up to whole pitches; at most for that, in whole pieces,

@@ -78,7 +78,17 @@ std::string_view name_of(ContactPath path) {
   return path == ContactPath::recorder ? "recorder" : "dumps";
 }
 
-std::string_view name_of(RankSplit split) { return split == RankSplit::charge ? "charge" : "axis"; }
+std::string_view name_of(RankSplit split) {
+  switch (split) {
+    case RankSplit::charge:
+      return "charge";
+    case RankSplit::axis:
+      return "axis";
+    case RankSplit::balanced:
+      break;
+  }
+  return "balanced";
+}
 
 double mesh_tolerance(const Case& mill) {
   return mill.dem.mesh_tolerance * 0.5 * smallest_diameter(mill);

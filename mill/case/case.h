@@ -59,6 +59,7 @@ enum class ContactPath {
 enum class RankSplit {
   charge,  ///< half of them on either side of the moving charge's middle, each half along the axis
   axis,    ///< slabs along the axis
+  balanced,  ///< columns across the mill with equally many particles each (recorder only)
 };
 
 /// As the case file writes them.
@@ -78,9 +79,11 @@ struct DemSettings {
   double rayleigh_fraction = 0.3;             ///< time step as a share of the least Rayleigh time
   std::optional<double> longest_time_step{};  ///< [s]; the step is never above this
   RollingFriction rolling_friction = RollingFriction::cdt;
-  double mix_revolutions = 2.0;      ///< before the first measurement
-  int settle_pitches = 2;            ///< turned on a new mesh before the load is measured
-  double measure_revolutions = 1.0;  ///< with a target the least number
+  double mix_revolutions = 2.0;       ///< before the first measurement
+  int settle_pitches = 2;             ///< turned on a new mesh before the load is measured
+  double measure_revolutions = 1.0;   ///< with a target the least number
+  double chunk_particle_steps = 5e9;  ///< longer stretches are cut into chunks
+                                      ///< (liggghts_inputs/decks/chunks.h; recorder only)
   ContactPath contact_path = ContactPath::recorder;
   int sample_every_steps = 1;       ///< steps between two samples of the wall contacts
   int ranks = 0;                    ///< MPI ranks; 0 takes every core

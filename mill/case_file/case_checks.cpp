@@ -203,6 +203,14 @@ void check_tuning(const Case& mill, const CaseDocument& document, CaseProblems& 
                              name_of(*mill.dem.rank_split)));
 }
 
+void check_rank_split(const Case& mill, const CaseDocument& document, CaseProblems& problems) {
+  if (mill.dem.rank_split != RankSplit::balanced || mill.dem.contact_path == ContactPath::recorder)
+    return;
+  problems.add(document.line_of("dem", "rank_split"),
+               "`rank_split = \"balanced\"` needs `wall_contacts = \"recorder\"`: the plain "
+               "liggghts cannot move the cuts; take `charge` or `axis`");
+}
+
 void check_mixing(const Case& mill, const CaseDocument& document, CaseProblems& problems) {
   if (!mill.dem.mix_until_steady) return;
   const int line = document.line_of("dem", "mix_until_steady");
@@ -269,6 +277,7 @@ void check_case(const Case& mill, const CaseDocument& document, CaseProblems& pr
   check_error_target(mill, document, problems);
   check_life_error(mill, document, problems);
   check_tuning(mill, document, problems);
+  check_rank_split(mill, document, problems);
   check_mixing(mill, document, problems);
 }
 

@@ -77,6 +77,10 @@ const std::vector<KeyRow<DemSettings>>& dem_keys() {
                     "with `target_relative_error`: a measurement ends after so many revolutions in "
                     "any case; four times `measure_revolutions` where it is missing"),
            most_from_least),
+       defaulted(
+           "chunk_particle_steps", in(&Dem::chunk_particle_steps), at_least(1.0),
+           "a mixing or a measurement of more particles times steps is simulated in chunks of "
+           "whole pitches, and a stop costs one chunk at most (with `recorder`)"),
        choice(Presence::defaulted, "wall_contacts", in(&Dem::contact_path),
               {ContactPath::recorder, ContactPath::dumps},
               "how wall contacts are seen: `recorder` takes every step from inside LIGGGHTS, "
@@ -93,11 +97,12 @@ const std::vector<KeyRow<DemSettings>>& dem_keys() {
            "such as `mpiexec -n {ranks} {command}`"),
        optional("skin_m", in(&Dem::skin), positive,
                 "neighbour skin; the least particle's radius where it is missing [m]"),
-       choice(Presence::optional, "rank_split", in(&Dem::rank_split),
-              {RankSplit::charge, RankSplit::axis},
-              "how an even number of ranks share the mill: on either side of the moving `charge`'s "
-              "middle (where it is missing), or in slabs along the `axis`, as an odd number always "
-              "do"),
+       choice(
+           Presence::optional, "rank_split", in(&Dem::rank_split),
+           {RankSplit::charge, RankSplit::axis, RankSplit::balanced},
+           "how ranks share the mill: an even number on either side of the moving `charge`'s "
+           "middle (where it is missing; an odd number then in slabs), in slabs along the `axis`, "
+           "or any number `balanced`, in columns with equally many particles (with `recorder`)"),
        locked_where_true(defaulted(
            "tune", in(&Dem::tune),
            any_value,

@@ -21,6 +21,14 @@ bool is_sampled(const RecordingPlan& plan, long step) {
          ((step - plan.first_step) % plan.every_steps == 0 || step == plan.last_step);
 }
 
+long measured_until(const RecordingPlan& plan, long step) {
+  return plan.measured_before.value_or(0) + step - plan.first_step;
+}
+
+long steps_of_blocks(const RecordingPlan& plan) {
+  return plan.block_steps.value_or(plan.last_step - plan.first_step);
+}
+
 long samples_between(const RecordingPlan& plan, long from, long to) {
   const long begin = from - plan.first_step;
   const long end = to - plan.first_step;

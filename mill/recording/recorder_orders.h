@@ -20,6 +20,14 @@ inline constexpr const char* running_verb = "run";
 inline constexpr RecorderOption deck_option{
     .name = "--in", .help = "LIGGGHTS's input script", .short_name = "-i"};
 
+inline constexpr RecorderOption columns_option{
+    .name = "--columns",
+    .help =
+        "so many columns of ranks along x (the script's `processors`) get equally many "
+        "particles before every `run`",
+    .need = OptionNeed::optional,
+    .range = OptionRange::positive};
+
 /// How a measurement goes on while its load is not known well enough.
 struct GoingOn {
   double target_error;  ///< relative, of the smoothed rate of loss at its peaks
@@ -41,6 +49,11 @@ struct RecordingPlan {
   std::optional<long> pairs_after;              ///< collisions between particles from here on,
                                                 ///< up to `last_step`
   std::optional<GoingOn> going_on;
+  /// Of a part of a measurement: the steps that parts before it have measured, and those by which
+  /// the time blocks of the whole are laid.
+  std::optional<long> measured_before = {};
+  std::optional<long> block_steps = {};
+  std::optional<long> columns = {};  ///< of ranks along x, to be balanced
   bool operator==(const RecordingPlan&) const = default;
 };
 
@@ -48,6 +61,13 @@ struct RecordingPlan {
 /// the first. So every sample stands for the steps since the one before, and all of them for all
 /// steps.
 [[nodiscard]] bool is_sampled(const RecordingPlan& plan, long step);
+
+/// Steps of the whole measurement that are measured before step `step` of this part.
+[[nodiscard]] long measured_until(const RecordingPlan& plan, long step);
+
+/// Steps of the measurement over which the case's number of time blocks is laid. It is longer than
+/// that where it goes on, by whole blocks.
+[[nodiscard]] long steps_of_blocks(const RecordingPlan& plan);
 
 /// Samples after step `from` up to step `to`, where a piece of the measurement ends.
 [[nodiscard]] long samples_between(const RecordingPlan& plan, long from, long to);
@@ -86,6 +106,14 @@ void for_each_option(RecordingPlan& plan, GoingOnOptions& going_on, const Take& 
        going_on.target_error);
   take({"--go-on-by", "... by so many steps at a time", optional, positive}, going_on.by_steps);
   take({"--at-most", "... and not beyond this step", optional, positive}, going_on.at_most);
+  take({"--measured-before",
+        "this is a part of a measurement, after so many of its steps; with --block-steps", optional,
+        not_negative},
+       plan.measured_before);
+  take({"--block-steps", "... and the case's time blocks are laid over so many steps of the whole",
+        optional, positive},
+       plan.block_steps);
+  take(columns_option, plan.columns);
 }
 
 /// Run a mixing deck until the charge is steady: the words behind `mix`.
@@ -93,6 +121,7 @@ struct MixingOptions {
   std::filesystem::path deck;    ///< LIGGGHTS's input script, with one `run` of `plan.most` steps
   std::filesystem::path record;  ///< to be written: how it went (CSV)
   MixingPlan plan;
+  std::optional<long> columns = {};  ///< of ranks along x, to be balanced
   bool operator==(const MixingOptions&) const = default;
 };
 
@@ -113,17 +142,20 @@ void for_each_option(MixingOptions& options, const Take& take) {
   take({"--at-most", "the last step it may reach; the script's `run`", required, positive},
        options.plan.most);
   take({"--revolution", "steps of one revolution", required, positive}, options.plan.revolution);
+  take(columns_option, options.columns);
 }
 
 /// Run a deck and record nothing: the words behind `run`.
 struct DeckRunOptions {
   std::filesystem::path deck;
+  std::optional<long> columns = {};  ///< of ranks along x, to be balanced
   bool operator==(const DeckRunOptions&) const = default;
 };
 
 template <class Take>
 void for_each_option(DeckRunOptions& options, const Take& take) {
   take(deck_option, options.deck);
+  take(columns_option, options.columns);
 }
 
 /// The words of the recorder's command line, without the program. Parsed, they give the same order.

@@ -16,6 +16,7 @@
 #include "orchestrator/campaign/open_campaign.h"
 #include "orchestrator/dem_run/charge_source.h"
 #include "orchestrator/dem_run/cost_estimate.h"
+#include "orchestrator/dem_run/rank_cost.h"
 
 namespace millwear::orchestrator {
 namespace {
@@ -130,19 +131,94 @@ void print_check(const Case& mill, int ranks) {
   for (const auto& warning : warnings(mill)) fmt::print("Warning: {}\n", warning);
 }
 
+/// The least efficiency of a number of ranks that is recommended.
+constexpr double least_efficiency = 0.6;
+
+/// Costs of a campaign on so many ranks, against one.
+struct RankChoice {
+  RankCost cost;
+  double seconds;     ///< of a campaign
+  double efficiency;  ///< time on one rank over the core time on these
+};
+
+std::vector<RankChoice> rank_choices(const Case& mill, const std::vector<int>& ranks) {
+  const double alone = campaign_seconds(mill, estimate_cost(mill, 1));
+  std::vector<RankChoice> choices;
+  for (const int count : ranks) {
+    const double seconds = campaign_seconds(mill, estimate_cost(mill, count));
+    choices.push_back({rank_cost(mill, count), seconds, alone / (count * seconds)});
+  }
+  return choices;
+}
+
+/// The fastest that uses its cores well enough.
+const RankChoice* recommended(const std::vector<RankChoice>& choices) {
+  const RankChoice* best = nullptr;
+  for (const auto& choice : choices)
+    if (choice.efficiency >= least_efficiency && (!best || choice.seconds < best->seconds))
+      best = &choice;
+  return best;
+}
+
+double core_hours(const RankChoice& choice) { return choice.cost.ranks * choice.seconds / 3600.0; }
+
+nlohmann::json ranks_json(const std::vector<RankChoice>& choices) {
+  nlohmann::json all = nlohmann::json::array();
+  for (const auto& choice : choices)
+    all.push_back({{"ranks", choice.cost.ranks},
+                   {"columns", choice.cost.columns},
+                   {"slabs", choice.cost.slabs},
+                   {"particles_per_rank", choice.cost.particles},
+                   {"ghosts_per_particle", choice.cost.ghosts},
+                   {"campaign_seconds", choice.seconds},
+                   {"efficiency", choice.efficiency},
+                   {"memory_bytes", choice.cost.memory},
+                   {"core_hours", core_hours(choice)}});
+  const RankChoice* const best = recommended(choices);
+  return {{"ranks", all},
+          {"recommended", best ? nlohmann::json(best->cost.ranks) : nlohmann::json()}};
+}
+
+void print_ranks(const std::vector<RankChoice>& choices) {
+  fmt::print(
+      "Ranks (a model within a factor of three, docs/cluster.md)\n"
+      "  ranks  columns x slabs  particles a rank  ghosts a particle  campaign  efficiency  "
+      "memory  core hours\n");
+  for (const auto& choice : choices)
+    fmt::print("  {:>5}  {:>15}  {:>16.0f}  {:>17.2f}  {:>8}  {:>9.0f}%  {:>3.1f} GB  {:>10.1f}\n",
+               choice.cost.ranks, fmt::format("{} x {}", choice.cost.columns, choice.cost.slabs),
+               choice.cost.particles, choice.cost.ghosts, spoken_time(choice.seconds),
+               100.0 * choice.efficiency, choice.cost.memory / (1 << 30), core_hours(choice));
+  if (const RankChoice* const best = recommended(choices))
+    fmt::print("  recommended: {} ranks, the fastest with an efficiency of {:.0f} % or more\n",
+               best->cost.ranks, 100.0 * least_efficiency);
+}
+
 }  // namespace
 
-void add_options(CLI::App& verb, CheckOptions& options) { add_options(verb, options.common); }
+void add_options(CLI::App& verb, CheckOptions& options) {
+  add_options(verb, options.common);
+  verb.add_option("--ranks", options.ranks,
+                  "Compare numbers of ranks (commas between them): time of a campaign, efficiency, "
+                  "memory, core hours")
+      ->delimiter(',')
+      ->check(CLI::Range(1, 100000));
+}
 
 void check_verb(const CheckOptions& options) {
   const Case mill = read_case(options.common.case_file);
   check_liner_can_be_meshed(mill);
   if (mill.dem.charge_from) static_cast<void>(charge_source(mill, folder_of_charge(mill)));
   const int ranks = ranks_for(mill);
-  if (options.common.form == OutputForm::json)
-    fmt::print("{}\n", check_json(mill, ranks).dump(1));
-  else
-    print_check(mill, ranks);
+  const auto choices = rank_choices(mill, options.ranks);
+  if (options.common.form == OutputForm::json) {
+    auto json = check_json(mill, ranks);
+    if (!choices.empty()) json["rank_choices"] = ranks_json(choices);
+    fmt::print("{}\n", json.dump(1));
+    return;
+  }
+  print_check(mill, ranks);
+  if (!choices.empty()) print_ranks(choices);
 }
 
 }  // namespace millwear::orchestrator

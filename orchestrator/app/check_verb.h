@@ -1,4 +1,6 @@
 #pragma once
+#include <vector>
+
 #include "orchestrator/app/common_options.h"
 
 namespace millwear::orchestrator {
@@ -6,6 +8,7 @@ namespace millwear::orchestrator {
 /// What `millwear check` is told.
 struct CheckOptions {
   CommonOptions common;
+  std::vector<int> ranks;  ///< to be compared; empty: what the case asks for, without a comparison
 };
 
 void add_options(CLI::App& verb, CheckOptions& options);

@@ -16,7 +16,7 @@
 #include "orchestrator/campaign/output_path.h"
 #include "orchestrator/dem_run/cost_estimate.h"
 #include "orchestrator/dem_run/mixing.h"
-#include "orchestrator/dem_run/stretch_stages.h"
+#include "orchestrator/stretch/stretch_decks.h"
 
 namespace millwear::orchestrator {
 
@@ -49,13 +49,16 @@ void deck_verb(const DeckOptions& options) {
                "the decks (cycle_000/mix, then cycle_000/dem) are");
   if (options.common.form == OutputForm::json || mill.dem.contact_path != ContactPath::recorder)
     return;
-  const auto mixing = mill.dem.mix_until_steady
-                          ? mixing_arguments(mill)
-                          : to_arguments(DeckRunOptions{liggghts::file_names::deck});
+  const auto mixing =
+      mill.dem.mix_until_steady
+          ? mixing_arguments(mill, campaign.ranks)
+          : to_arguments(DeckRunOptions{liggghts::file_names::deck,
+                                        liggghts::columns_to_balance(mill, campaign.ranks)});
   fmt::print(
       "cycle_000/mix is run by: mpirun -np {0} millwear-recorder {1}\n"
       "cycle_000/dem is measured by: mpirun -np {0} millwear-recorder {2}\n",
-      campaign.ranks, fmt::join(mixing, " "), fmt::join(recorder_arguments(mill), " "));
+      campaign.ranks, fmt::join(mixing, " "),
+      fmt::join(recorder_arguments(mill, campaign.ranks), " "));
 }
 
 }  // namespace millwear::orchestrator

@@ -144,12 +144,13 @@ void submit_campaign(const RunOptions& options, const Case& mill, const RunFolde
                                       std::to_string(ranks),
                                       "--quiet"};
   if (options.seed) command.insert(command.end(), {"--seed", std::to_string(*options.seed)});
+  if (options.scratch) command.insert(command.end(), {"--scratch", options.scratch->string()});
   if (options.until) command.insert(command.end(), {"--until", *options.until});
   const CostEstimate cost = estimate_cost(mill, ranks);
-  const auto job = submit_work(
-      {mill.name, folder.root / "slurm", command, ranks,
-       cost.mixing + cost.per_cycle * mill.campaign.cycle_limit, memory_for(mill, ranks)},
-      submission_from(options.slurm, {}), std::nullopt, {});
+  const auto job =
+      submit_work({mill.name, folder.root / "slurm", command, ranks, campaign_seconds(mill, cost),
+                   cost.longest_chunk, memory_for(mill, ranks)},
+                  submission_from(options.slurm, {}), std::nullopt, {});
   if (!job.empty())
     fmt::print("submitted as job {}; `millwear status {}` says how far it is\n", job,
                options.common.case_file.string());
@@ -178,6 +179,9 @@ void add_options(CLI::App& verb, RunOptions& options) {
   verb.add_option("--shared", options.shared,
                   "Folder in which campaigns leave their DEM for each other: what another has "
                   "simulated to the bit is taken from there");
+  verb.add_option("--scratch", options.scratch,
+                  "Folder on a disk of this machine in which the files of a stage grow, where the "
+                  "campaign's own is on slow shared storage");
   verb.add_flag("--dry-run", options.dry_run, "Say which stages would run, and run none");
   verb.add_flag("--explain", options.explain, "Say why each stage runs");
   add_options(verb, options.slurm);
@@ -202,6 +206,7 @@ void run_verb(const RunOptions& options) {
   const RunLock lock(folder.lock());
   OpenCampaign opened = open();
   opened.campaign.shared_stages = options.shared;
+  opened.campaign.scratch = options.scratch;
   keep_start(opened);
   if (options.explain) explain_campaign(opened, how);
 

@@ -10,10 +10,12 @@
 #include "mill/base/number_or_null.h"
 #include "mill/case_file/case_file.h"
 #include "mill/liner/profile_measures.h"
+#include "orchestrator/app/study_status.h"
 #include "orchestrator/campaign/open_campaign.h"
 #include "orchestrator/campaign/run_lock.h"
 #include "orchestrator/campaign/stage_order.h"
 #include "orchestrator/dem_run/measured.h"
+#include "orchestrator/stretch/chunk_run.h"
 
 namespace millwear::orchestrator {
 namespace {
@@ -46,6 +48,8 @@ void add_options(CLI::App& verb, StatusOptions& options) {
 }
 
 void status_verb(const StatusOptions& options) {
+  if (const auto study = study_folder_of(options.common.case_file, options.out))
+    return print_study_status(*study, options.common.form);
   const Case mill = read_case(options.common.case_file);
   const RunFolder folder = run_folder_of(mill, options.out);
   const auto [campaign, ledger] = campaign_of(mill, folder);
@@ -57,15 +61,17 @@ void status_verb(const StatusOptions& options) {
   const auto measured = latest_measurement(campaign, ledger);
   const bool reversed = rotation_of_cycle(campaign, next_cycle) == Rotation::reversed;
   if (options.common.form == OutputForm::json) {
-    fmt::print("{}\n", nlohmann::json{{"running", running},
-                                      {"outcome", name_of(outcome_of(ledger))},
-                                      {"cycles", next_cycle},
-                                      {"next", next ? name_of(next->stage) : ""},
-                                      {"latest_load", latest_measurement_json(measured)},
-                                      {"reversed", reversed},
-                                      {"lifter_height_m", lifter_height(liner)},
-                                      {"share_of_life", share_of_life(mill, liner)}}
-                           .dump(1));
+    fmt::print("{}\n",
+               nlohmann::json{{"running", running},
+                              {"outcome", name_of(outcome_of(ledger))},
+                              {"cycles", next_cycle},
+                              {"next", next ? name_of(next->stage) : ""},
+                              {"chunks_done", next ? chunks_done(campaign, next->stage) : 0},
+                              {"latest_load", latest_measurement_json(measured)},
+                              {"reversed", reversed},
+                              {"lifter_height_m", lifter_height(liner)},
+                              {"share_of_life", share_of_life(mill, liner)}}
+                   .dump(1));
     return;
   }
   fmt::print("{}: {} cycles done, lifter {:.1f} mm high, {:.0f} % of the way to its limit\n",
@@ -76,11 +82,14 @@ void status_verb(const StatusOptions& options) {
   if (!mill.campaign.reversal_times.empty())
     fmt::print("turning {}\n", reversed ? "the other way than when the liner was new"
                                         : "as when the liner was new");
+  const int chunks = next ? chunks_done(campaign, next->stage) : 0;
+  const std::string done_of_it = chunks > 0 ? fmt::format(", {} of its chunks done", chunks) : "";
   if (running)
-    fmt::print("running: {}\n", next ? name_of(next->stage) : "gathering the results");
+    fmt::print("running: {}{}\n", next ? name_of(next->stage) : "gathering the results",
+               done_of_it);
   else if (next)
-    fmt::print("not running; `millwear run {}` goes on with {}\n",
-               options.common.case_file.string(), name_of(next->stage));
+    fmt::print("not running; `millwear run {}` goes on with {}{}\n",
+               options.common.case_file.string(), name_of(next->stage), done_of_it);
   else
     fmt::print("finished: {}\n", name_of(outcome_of(ledger)));
 }

@@ -44,17 +44,20 @@ Study study_from(const StudyOptions& options) {
   return study;
 }
 
-std::vector<std::string> command_for(const fs::path& folder, int ranks) {
-  return {fs::read_symlink("/proc/self/exe").string(),
-          "run",
-          (folder / "case.toml").string(),
-          "--shared",
-          (folder.parent_path().parent_path() / "shared").string(),
-          "--out",
-          folder.string(),
-          "--ranks",
-          std::to_string(ranks),
-          "--quiet"};
+std::vector<std::string> command_for(const fs::path& folder, int ranks,
+                                     const std::optional<fs::path>& scratch) {
+  std::vector<std::string> words = {fs::read_symlink("/proc/self/exe").string(),
+                                    "run",
+                                    (folder / "case.toml").string(),
+                                    "--shared",
+                                    (folder.parent_path().parent_path() / "shared").string(),
+                                    "--out",
+                                    folder.string(),
+                                    "--ranks",
+                                    std::to_string(ranks),
+                                    "--quiet"};
+  if (scratch) words.insert(words.end(), {"--scratch", scratch->string()});
+  return words;
 }
 
 /// Mixes the base case on all cores, or those that it names.
@@ -79,15 +82,15 @@ void print_plan(const StudyPlan& plan, const std::vector<fs::path>& folders,
       values += fmt::format("{} = {}, ", plan.study.axes[axis].key,
                             plan.points[campaign.point].labels[axis]);
     fmt::print(
-        "{}  {}seed {}: {} particles, time step {:.3g} s, about {} of DEM to the first wear; "
+        "{}  {}seed {}: {} particles, time step {:.3g} s, about {} of DEM; "
         "{}\n",
         folders[i].filename().string(), values, campaign.seed, campaign.particles,
         campaign.time_step, spoken_time(campaign.cost / share.ranks), states[i].why);
     if (states[i].state != CampaignState::done) seconds += campaign.cost / share.ranks;
   }
   fmt::print(
-      "{} points, {} campaigns, {} side by side on {} rank{} each: about {} to the first "
-      "wear of all that are to run (within a factor of three)\n",
+      "{} points, {} campaigns, {} side by side on {} rank{} each: about {} for all that are "
+      "to run (within a factor of three)\n",
       plan.points.size(), plan.campaigns.size(), share.jobs, share.ranks,
       share.ranks == 1 ? "" : "s", spoken_time(seconds / share.jobs));
 }
@@ -107,9 +110,14 @@ struct StudyWork {
 };
 
 StudyRun study_run(const StudyWork& work) {
-  return {work.share.jobs,      work.share.ranks,
-          work.options.on_fail, work.options.retry_failed ? Failed::retry : Failed::leave,
-          command_for,          work.options.only};
+  return {work.share.jobs,
+          work.share.ranks,
+          work.options.on_fail,
+          work.options.retry_failed ? Failed::retry : Failed::leave,
+          [&options = work.options](const fs::path& folder, int ranks) {
+            return command_for(folder, ranks, options.scratch);
+          },
+          work.options.only};
 }
 
 /// The work of one task of an array: some campaigns, beside other tasks, so without the study's
@@ -146,6 +154,7 @@ std::vector<std::string> study_words(const StudyOptions& options, const StudyFol
   if (options.objective) words.insert(words.end(), {"--objective", *options.objective});
   if (options.charge_from_base) words.push_back("--charge-from-base");
   if (options.retry_failed) words.push_back("--retry-failed");
+  if (options.scratch) words.insert(words.end(), {"--scratch", options.scratch->string()});
   return words;
 }
 
@@ -192,7 +201,7 @@ StudyResults gathered(const StudyWork& work, const StudyPlan& plan) {
 /// Tries as many points as the search may, so many at once as run side by side. The places stand in
 /// `search.csv` before they are run.
 StudyResults search(const StudyWork& work, const Study& study) {
-  const fs::path file = work.folder.root / "search.csv";
+  const fs::path file = work.folder.search();
   auto places = read_places(file, study);
   const auto budget = static_cast<std::size_t>(study.samples);
   std::vector<SearchValue> found;
@@ -257,6 +266,8 @@ void add_options(CLI::App& verb, StudyOptions& options) {
   verb.add_flag("--dry-run", options.dry_run,
                 "Print every campaign with its cost and why it would run, and run none");
   verb.add_flag("--explain", options.explain, "Print the same, and run");
+  verb.add_option("--scratch", options.scratch,
+                  "Folder on a disk of this machine in which the files of the DEM grow");
   verb.add_option("--only", options.only,
                   "Run the campaigns in these folders of `points` alone (commas between them), and "
                   "gather nothing")
@@ -276,8 +287,7 @@ void study_verb(const StudyOptions& options) {
   const Case base = read_case(study.case_file);
   const JobShare share = job_share(usable_cores(), options.jobs, base.dem.ranks);
   const bool is_search = study.combine == Combine::search;
-  const StudyPlan plan = plan_of(
-      is_search ? with_places(study, read_places(folder.root / "search.csv", study)) : study);
+  const StudyPlan plan = plan_so_far(folder, study);
   if (options.dry_run || options.explain) {
     const auto folders = folders_of(folder, plan);
     print_plan(plan, folders, states_of(folder, folders), share);

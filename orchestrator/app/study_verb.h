@@ -27,7 +27,8 @@ struct StudyOptions {
   SlurmOptions slurm;
   std::vector<std::string> only;  ///< names of folders: run these campaigns and gather nothing
   bool only_charge = false;       ///< mix the base case's charge and no more
-  bool gather = false;            ///< write tables and page of what there is, and run nothing
+  std::optional<std::filesystem::path> scratch;  ///< as `millwear run` takes it
+  bool gather = false;  ///< write tables and page of what there is, and run nothing
 };
 
 void add_options(CLI::App& verb, StudyOptions& options);

@@ -31,7 +31,8 @@ std::function<void()> prepare(CLI::App& command_line) {
 constexpr std::array table{
     Verb{"check", "Check a case and print what would be simulated: counts, time step, cost",
          "  millwear check cases/pilot_mill/case.toml\n"
-         "  millwear check cases/seed_mill_8m/case.toml --json",
+         "  millwear check cases/seed_mill_8m/case.toml --json\n"
+         "  millwear check cases/seed_mill_8m_desktop/case.toml --ranks 1,2,4,8",
          prepare<CheckOptions, check_verb>},
     Verb{"mesh", "Write the liner's mesh (STL) and its section for CAD (STEP, DXF)",
          "  millwear mesh cases/pilot_mill/case.toml --out mesh\n"
@@ -51,7 +52,9 @@ constexpr std::array table{
          "  millwear study cases/pilot_mill/case.toml --axis mill.rows=8,10,12 \\\n"
          "    --axis lifter.height_m=0.03:0.05:0.01 --objective \"maximise life_hours\"",
          prepare<StudyOptions, study_verb>},
-    Verb{"status", "Say how far a campaign is", "  millwear status cases/pilot_mill/case.toml",
+    Verb{"status", "Say how far a campaign or a study is, also one in the queue of Slurm",
+         "  millwear status cases/pilot_mill/case.toml\n"
+         "  millwear status cases/spacing_study/study.toml",
          prepare<StatusOptions, status_verb>},
     Verb{"report", "Write the result files and report.html of a campaign so far",
          "  millwear report cases/pilot_mill/case.toml --out runs/try",

@@ -15,6 +15,9 @@ struct Campaign {
   int ranks;
   /// Where campaigns of one study leave their DEM for each other (stages/shared_stages.h).
   std::optional<std::filesystem::path> shared_stages{};
+  /// Where files grow before they are published, if not in the campaign's own folder
+  /// (campaign/work_folder.h).
+  std::optional<std::filesystem::path> scratch{};
 };
 
 /// The liner that a cycle begins with: the new one, or what the cycle before left. In the steel's

@@ -24,6 +24,7 @@ std::string spoken_walltime(double hours) {
 std::map<std::string, std::string, std::less<>> values_of(const BatchJob& job) {
   return {{"name", job.name},
           {"log", job.log},
+          {"tasks", std::to_string(job.tasks)},
           {"cores", std::to_string(job.cores)},
           {"time", spoken_walltime(job.hours)},
           {"memory_mb", fmt::format("{:.0f}", std::ceil(job.memory / bytes_of_mb))},

@@ -10,6 +10,7 @@ namespace millwear::orchestrator {
 struct BatchJob {
   std::string name;
   std::string log;  ///< where it prints to, with the scheduler's own placeholders
+  int tasks;        ///< of an array; 1 where it is none
   int cores;
   double hours;                      ///< walltime
   double memory;                     ///< [bytes]
@@ -23,7 +24,8 @@ struct BatchJob {
 /// The template for Slurm that comes with the program.
 [[nodiscard]] std::string_view slurm_template();
 
-/// A template with {{name}}, {{log}}, {{cores}}, {{time}} (hours:minutes:seconds), {{memory_mb}},
+/// A template with {{name}}, {{log}}, {{tasks}}, {{cores}}, {{time}} (hours:minutes:seconds),
+/// {{memory_mb}},
 /// {{options}}, {{setup}}, {{command}}, {{signal_seconds}} and {{most_restarts}} filled in; a
 /// template may leave out any but {{command}}. `file` stands in messages. Throws InputError
 /// (file:line) for another placeholder, and where {{command}} is missing.

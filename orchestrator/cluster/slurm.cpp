@@ -75,6 +75,14 @@ std::string submit(const fs::path& script, const std::optional<JobArray>& array,
   return printed.text.substr(0, printed.text.find_first_of(";\n"));  // "NUMBER;CLUSTER"
 }
 
+bool has_sbatch() {
+  try {
+    return !program_on_path("sbatch", package).empty();
+  } catch (const ExternalProgramError&) {
+    return false;
+  }
+}
+
 std::string tested(const std::string& script, const std::optional<JobArray>& array) {
   const fs::path file = fs::temp_directory_path() / fmt::format("millwear-{}.sh", ::getpid());
   write_file(file, script);

@@ -23,6 +23,8 @@ struct AfterJobs {
 [[nodiscard]] std::string submit(const std::filesystem::path& script,
                                  const std::optional<JobArray>& array, const AfterJobs& after);
 
+[[nodiscard]] bool has_sbatch();
+
 /// What sbatch says of a script's text without submitting it (--test-only). Throws as `submit`.
 [[nodiscard]] std::string tested(const std::string& script, const std::optional<JobArray>& array);
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <sstream>
@@ -16,6 +17,8 @@ namespace {
 constexpr std::array<std::string_view, 10> keys{
     "signal_seconds", "partition", "account",  "constraint", "time",
     "memory_gb",      "modules",   "throttle", "bundle",     "most_restarts"};
+constexpr const char* module_letters =
+    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./+@:";
 constexpr double bytes_of_gb = 1 << 30;
 constexpr std::int64_t most_tasks = 1000000;
 
@@ -35,8 +38,11 @@ std::vector<std::string> modules_in(const CaseTable& table, CaseProblems& proble
     for (const CaseValue& element : *array)
       if (const auto* const name = std::get_if<std::string>(&element.data))
         modules.push_back(*name);
-  if (array == nullptr || modules.size() != array->size())
-    problems.add(value->line, "`modules` is a list of texts, such as [\"openmpi/4.1\"]");
+  const bool are_names = std::ranges::all_of(modules, [](const auto& name) {
+    return name.find_first_not_of(module_letters) == name.npos;
+  });
+  if (array == nullptr || modules.size() != array->size() || !are_names)
+    problems.add(value->line, "`modules` is a list of names, such as [\"openmpi/4.1\"]");
   return modules;
 }
 
@@ -93,8 +99,11 @@ SlurmSettings slurm_settings_in(const CaseDocument& document, CaseProblems& prob
   if (table == nullptr) return settings;
   check_keys(*table, keys, problems);
   for (const char* const key : {"partition", "account", "constraint"})
-    if (const auto value = text_in(*table, key, problems))
+    if (const auto value = text_in(*table, key, problems)) {
+      if (value->find_first_of(" \n\t") != std::string::npos)
+        problems.add(table->find(key)->line, fmt::format("`{}` is one word", key));
       settings.options.push_back(fmt::format("--{}={}", key, *value));
+    }
   if (const auto time = text_in(*table, "time", problems)) {
     settings.hours = walltime_hours(*time);
     if (!settings.hours)

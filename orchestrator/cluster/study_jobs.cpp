@@ -57,11 +57,19 @@ std::vector<std::string> missing_campaigns(const StudyToSubmit& study) {
   return names;
 }
 
-double dearest(const StudyToSubmit& study) {
-  double most = 0.0;
-  for (const StudyCampaign& campaign : study.plan.campaigns) most = std::max(most, campaign.cost);
-  // What is known is the cost up to the first wear; a life has about ten loads.
-  return 3.0 * most / study.ranks;
+/// What the dearest campaign of a study, and its longest chunk, are likely to take [s].
+struct DearestCampaign {
+  double seconds = 0.0;
+  double chunk_seconds = 0.0;
+};
+
+DearestCampaign dearest_of(const StudyToSubmit& study) {
+  DearestCampaign dearest;
+  for (const StudyCampaign& campaign : study.plan.campaigns) {
+    dearest.seconds = std::max(dearest.seconds, campaign.cost / study.ranks);
+    dearest.chunk_seconds = std::max(dearest.chunk_seconds, campaign.chunk_cost / study.ranks);
+  }
+  return dearest;
 }
 
 std::vector<std::string> with(std::vector<std::string> words, std::vector<std::string> more) {
@@ -92,15 +100,15 @@ SubmittedStudy submit_study(const StudyToSubmit& study, const Submission& how) {
   if (missing.empty()) return submitted;
   const fs::path folder = slurm_folder(study.folder);
   const double memory = memory_for(study.plan.base, study.ranks);
-  const double seconds = dearest(study);
+  const DearestCampaign dearest = dearest_of(study);
   const bool is_test = how.action == Submission::Action::test;
   if (!is_test) make_folder(folder);
 
   std::vector<std::string> first;
   if (study.plan.study.charge_from_base && !has_base_charge(study.folder))
-    first = {submit_work(
-        {"charge", folder, with(study.command, {"--only-charge"}), study.ranks, seconds, memory},
-        how, std::nullopt, {})};
+    first = {submit_work({"charge", folder, with(study.command, {"--only-charge"}), study.ranks,
+                          dearest.seconds, dearest.chunk_seconds, memory},
+                         how, std::nullopt, {})};
 
   const auto bundle = static_cast<std::size_t>(how.settings.bundle);
   const auto tasks_of_array = static_cast<std::size_t>(most_array_tasks());
@@ -121,7 +129,7 @@ SubmittedStudy submit_study(const StudyToSubmit& study, const Submission& how) {
                                               fs::absolute(folder / (name + ".index")).string());
     const auto job = submit_work(
         {name, folder, with(study.command, {"--only", campaigns, "--jobs", "1", "--quiet"}),
-         study.ranks, seconds * static_cast<double>(bundle), memory},
+         study.ranks, dearest.seconds * static_cast<double>(bundle), dearest.chunk_seconds, memory},
         how, JobArray{tasks, how.settings.throttle}, first);
     if (job.empty()) continue;
     submitted.arrays.push_back(job);
@@ -129,7 +137,7 @@ SubmittedStudy submit_study(const StudyToSubmit& study, const Submission& how) {
     publish(job_list(study.folder), jobs);
   }
   submitted.gathering = submit_work({"gather", folder, with(study.command, {"--gather", "--quiet"}),
-                                     1, 600.0, memory_for(study.plan.base, 1)},
+                                     1, 600.0, 0.0, memory_for(study.plan.base, 1)},
                                     how, std::nullopt, submitted.arrays);
   return submitted;
 }

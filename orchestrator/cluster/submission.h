@@ -23,8 +23,9 @@ struct BatchWork {
   std::filesystem::path folder;
   std::vector<std::string> command;  ///< words, of which some may be shell: "$(...)"
   int cores;
-  double seconds;  ///< likely to be needed
-  double memory;   ///< [bytes]
+  double seconds;        ///< likely to be needed
+  double chunk_seconds;  ///< likely to be needed between two stops that cost nothing
+  double memory;         ///< [bytes]
 };
 
 /// Memory that a campaign's DEM is likely to need, with room to spare [bytes].
@@ -32,7 +33,8 @@ struct BatchWork {
 
 /// Writes `FOLDER/NAME.sh` and submits it; returns the job's number. With Action::test it prints
 /// the script and what sbatch says of it instead, and returns "". Throws InputError for a template
-/// that is none, DiskError, ExternalProgramError.
+/// that is none, and for a walltime in which no chunk of the work can end; DiskError,
+/// ExternalProgramError.
 [[nodiscard]] std::string submit_work(const BatchWork& work, const Submission& how,
                                       const std::optional<JobArray>& array,
                                       const std::vector<std::string>& after);

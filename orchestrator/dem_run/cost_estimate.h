@@ -3,10 +3,6 @@
 
 namespace millwear::orchestrator {
 
-/// Particle steps a second of one core on dense charges of a mill, measured: the pilot mill (1,200
-/// balls) makes 3.1e6 on each of two cores, 38,000 particles of 45 to 180 mm in 8 m make 1.4e6.
-inline constexpr double particle_steps_per_second = 1.5e6;
-
 /// Ranks a run takes: the case's, or every core that this process may use.
 [[nodiscard]] int ranks_for(const Case& mill);
 
@@ -15,7 +11,12 @@ struct CostEstimate {
   double mixing;          ///< the first stretch
   double per_cycle;       ///< each measurement, at least
   double per_cycle_most;  ///< the same, unless a measurement may go on
+  double longest_chunk;   ///< what a stop may cost (liggghts_inputs/decks/chunks.h)
 };
 [[nodiscard]] CostEstimate estimate_cost(const Case& mill, int ranks);
+
+/// What a whole campaign is likely to take [s]: mixing and a dozen loads, or `cycle_limit` if that
+/// is less.
+[[nodiscard]] double campaign_seconds(const Case& mill, const CostEstimate& cost);
 
 }  // namespace millwear::orchestrator

@@ -12,10 +12,11 @@
 
 namespace millwear::orchestrator {
 
-std::vector<std::string> mixing_arguments(const Case& mill) {
+std::vector<std::string> mixing_arguments(const Case& mill, int ranks) {
   return to_arguments(MixingOptions{.deck = liggghts::file_names::deck,
                                     .record = stage_files::mixing,
-                                    .plan = mixing_plan(mill, plan_steps(mill))});
+                                    .plan = mixing_plan(mill, plan_steps(mill)),
+                                    .columns = liggghts::columns_to_balance(mill, ranks)});
 }
 
 MixingRecord read_mixing(const Case& mill, const std::filesystem::path& folder) {

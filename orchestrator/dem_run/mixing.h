@@ -12,7 +12,7 @@
 namespace millwear::orchestrator {
 
 /// What millwear-recorder is told of a mixing stretch that ends once it is steady.
-[[nodiscard]] std::vector<std::string> mixing_arguments(const Case& mill);
+[[nodiscard]] std::vector<std::string> mixing_arguments(const Case& mill, int ranks);
 
 /// How a mixing stretch in `folder` went that may end once it is steady. Throws DiskError where it
 /// left nothing, ResultRejected where that cannot be understood or is of another case.

@@ -116,10 +116,11 @@ std::filesystem::path recorder_program() {
   }
 }
 
-std::optional<RecorderProgram> unrecorded_program(ContactPath path) {
-  if (path == ContactPath::dumps) return std::nullopt;
+std::optional<RecorderProgram> unrecorded_program(const Case& mill, int ranks) {
+  if (mill.dem.contact_path == ContactPath::dumps) return std::nullopt;
   return RecorderProgram{recorder_program(),
-                         to_arguments(DeckRunOptions{liggghts::file_names::deck})};
+                         to_arguments(DeckRunOptions{liggghts::file_names::deck,
+                                                     liggghts::columns_to_balance(mill, ranks)})};
 }
 
 void check_liggghts_is_installed(const DemSettings& settings) {

@@ -38,7 +38,7 @@ struct DumpPipe {
 /// What runs a deck of which nothing is recorded: the recorder, whose search for neighbours is the
 /// faster, or the plain liggghts (none) where the case wants that. Either ends in the same bits.
 /// Throws as `recorder_program` does.
-[[nodiscard]] std::optional<RecorderProgram> unrecorded_program(ContactPath path);
+[[nodiscard]] std::optional<RecorderProgram> unrecorded_program(const Case& mill, int ranks);
 
 /// Throws ExternalProgramError if the launcher, liggghts (naming the Debian package) or, where the
 /// case wants it, the recorder is missing; InputError for a launcher that starts nothing, Failure

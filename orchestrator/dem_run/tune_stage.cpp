@@ -37,7 +37,7 @@ TrialBench bench_for(const Campaign& campaign, const fs::path& into,
       "../mesh/liner.stl", triangles_of_mesh(campaign.folder.stage({0, StageKind::mesh}))};
   write_file(into / names::contact_model,
              liggghts::contact_model_deck(mill, {plan_steps(mill).time_step, 0, 0, 1}, mesh,
-                                          liggghts::StretchKind::trial, 0));
+                                          {liggghts::StretchKind::trial, 0}));
   return {campaign, into, steps, mesh};
 }
 
@@ -57,7 +57,7 @@ void time_piece(const TrialBench& bench, DeckTrial& trial) {
   run_liggghts({bench.folder,
                 bench.campaign.ranks,
                 {},
-                unrecorded_program(mill.dem.contact_path),
+                unrecorded_program(mill, bench.campaign.ranks),
                 mill.dem.launcher},
                {});
   const fs::path log = bench.folder / names::log;

@@ -31,7 +31,7 @@ json json_of(const Tuning& tuning, const std::vector<DeckTrial>& trials) {
 
 DeckSettings settings_from(const json& object) {
   const auto split = object.at("rank_split").get<std::string>();
-  for (const RankSplit known : {RankSplit::charge, RankSplit::axis})
+  for (const RankSplit known : {RankSplit::charge, RankSplit::axis, RankSplit::balanced})
     if (split == name_of(known)) return {known, object.at("skin_m").get<double>()};
   throw ResultRejected(fmt::format("it has an unknown rank_split `{}`", split));
 }

@@ -8,11 +8,13 @@
 #include "mill/base/failure.h"
 #include "mill/base/published_file.h"
 #include "mill/base/whole_file.h"
-#include "orchestrator/dem_run/stretch_stages.h"
+#include "orchestrator/campaign/work_folder.h"
 #include "orchestrator/dem_run/tune_stage.h"
 #include "orchestrator/stages/mesh_stage.h"
 #include "orchestrator/stages/shared_stages.h"
 #include "orchestrator/stages/wear_stage.h"
+#include "orchestrator/stretch/chunk_run.h"
+#include "orchestrator/stretch/stretch_stages.h"
 
 namespace millwear::orchestrator {
 namespace {
@@ -65,15 +67,22 @@ LedgerEntry run_stage(const Campaign& campaign, const StageId& stage, Progress& 
   const auto started = std::chrono::steady_clock::now();
   const fs::path partial = campaign.folder.partial_stage(stage);
   const fs::path final_folder = campaign.folder.stage(stage);
-  fs::remove_all(partial);
   fs::remove_all(final_folder);
-  make_folder(partial);
-
-  const Outcome outcome = work_of(campaign, stage, partial, progress);
+  const fs::path work = begin_work(campaign, partial);
+  Outcome outcome{};
+  try {
+    outcome = work_of(campaign, stage, work, progress);
+  } catch (const Failure&) {
+    end_work(work, partial);  // its log tells why
+    throw;
+  }
+  end_work(work, partial);
   const auto outputs = synced_outputs(partial);
   sync_path(partial);
   fs::rename(partial, final_folder);
   sync_path(final_folder.parent_path());
+  remove_chunks(campaign, stage);
+  leave_scratch(campaign);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - started;
   return {stage, outcome, outputs, taken.count()};
 }

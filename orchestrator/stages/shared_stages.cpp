@@ -8,7 +8,6 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
-#include <sstream>
 #include <thread>
 
 #include "mill/base/failure.h"
@@ -16,6 +15,7 @@
 #include "mill/base/version.h"
 #include "mill/base/whole_file.h"
 #include "mill/case_file/case_lock.h"
+#include "orchestrator/campaign/folder_hashes.h"
 #include "orchestrator/campaign/ledger.h"
 #include "orchestrator/dem_run/charge_source.h"
 #include "orchestrator/dem_run/tune_stage.h"
@@ -29,7 +29,6 @@ namespace fs = std::filesystem;
 
 constexpr auto between_tries = std::chrono::milliseconds(200);
 const WearMechanism any_law{.law = WearLaw::archard, .specific_wear_rate = 1.0};
-constexpr const char* hashes_file = ".hashes";
 
 /// The case as far as the DEM depends on it.
 Case dem_case(const Campaign& campaign, const StageId& stage) {
@@ -109,20 +108,9 @@ void link_or_copy(const fs::path& from, const fs::path& to) {
   if (failed) fs::copy_file(from, to);
 }
 
-/// Whether a stored stage is as it was left.
-bool is_whole(const fs::path& stored) {
-  if (!fs::exists(stored / hashes_file)) return false;
-  std::istringstream text(read_file(stored / hashes_file));
-  std::string hash;
-  std::string name;
-  while (text >> hash >> name)
-    if (!fs::exists(stored / name) || hash_of_file(stored / name) != hash) return false;
-  return true;
-}
-
 void take(const fs::path& stored, const fs::path& into) {
   for (const auto& file : fs::directory_iterator(stored))
-    if (file.path().filename() != hashes_file)
+    if (file.path().filename() != folder_hashes_file)
       link_or_copy(file.path(), into / file.path().filename());
 }
 
@@ -133,14 +121,9 @@ void leave(const fs::path& from, const fs::path& stored) {
   fs::remove_all(partial);
   fs::remove_all(stored);
   make_folder(partial);
-  std::string hashes;
-  for (const auto& file : fs::directory_iterator(from)) {
-    const std::string name = file.path().filename().string();
-    sync_path(file.path());
-    link_or_copy(file.path(), partial / name);
-    hashes += fmt::format("{} {}\n", hash_of_file(file.path()), name);
-  }
-  publish(partial / hashes_file, hashes);
+  for (const auto& file : fs::directory_iterator(from))
+    link_or_copy(file.path(), partial / file.path().filename());
+  seal_folder(partial);
   fs::rename(partial, stored);
   sync_path(stored.parent_path());
 }
@@ -161,7 +144,7 @@ void fill_shared(const fs::path& store, const std::string& hash, const fs::path&
   make_folder(store);
   const fs::path stored = store / hash;
   const WaitingLock lock(store / (hash + ".lock"));
-  if (is_whole(stored)) return take(stored, into);
+  if (is_as_sealed(stored)) return take(stored, into);
   work();
   leave(into, stored);
 }

@@ -106,4 +106,9 @@ void write_places(const std::filesystem::path& file, const Study& search,
   publish(file, text);
 }
 
+StudyPlan plan_so_far(const StudyFolder& folder, const Study& study) {
+  if (study.combine != Combine::search) return plan_of(study);
+  return plan_of(with_places(study, read_places(folder.search(), study)));
+}
+
 }  // namespace millwear::orchestrator

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "orchestrator/study/design_search.h"
+#include "orchestrator/study/study_folder.h"
 #include "orchestrator/study/study_results.h"
 
 namespace millwear::orchestrator {
@@ -27,5 +28,9 @@ namespace millwear::orchestrator {
                                                            const Study& search);
 void write_places(const std::filesystem::path& file, const Study& search,
                   const std::vector<std::vector<double>>& places);
+
+/// The plan of a study as far as its points are known: those that a search has tried stand in its
+/// folder.
+[[nodiscard]] StudyPlan plan_so_far(const StudyFolder& folder, const Study& study);
 
 }  // namespace millwear::orchestrator

@@ -18,6 +18,7 @@ struct StudyFolder {
   [[nodiscard]] std::filesystem::path lock() const { return root / ".lock"; }
   [[nodiscard]] std::filesystem::path locked_study() const { return root / "study.lock.toml"; }
   [[nodiscard]] std::filesystem::path jobs() const { return root / "jobs.tsv"; }
+  [[nodiscard]] std::filesystem::path search() const { return root / "search.csv"; }
   [[nodiscard]] std::filesystem::path table() const { return root / "study.csv"; }
   [[nodiscard]] std::filesystem::path json() const { return root / "study.json"; }
   [[nodiscard]] std::filesystem::path page() const { return root / "study.html"; }

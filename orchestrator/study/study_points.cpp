@@ -227,7 +227,8 @@ StudyPlan plan_of(const Study& study) {
       plan.campaigns.push_back(
           {i, mill.dem.seed, text,
            hash_of_text(fmt::format("{}\n{}", result_version, text)).substr(0, hash_digits),
-           totals(mill).particles, plan_steps(mill).time_step, cost.mixing + cost.per_cycle});
+           totals(mill).particles, plan_steps(mill).time_step, campaign_seconds(mill, cost),
+           cost.longest_chunk});
     }
   }
   return plan;

@@ -22,8 +22,9 @@ struct StudyCampaign {
   std::string case_text;  ///< the case with every default filled in, as it is run
   std::string hash;       ///< of that text and of how this program makes results of it
   std::size_t particles;
-  double time_step;  ///< of the DEM [s]
-  double cost;       ///< DEM of one cycle and the mixing, a guess [s on one core]
+  double time_step;   ///< of the DEM [s]
+  double cost;        ///< DEM of the whole campaign, a guess [s on one core]
+  double chunk_cost;  ///< of its longest chunk, likewise
 };
 
 /// A study with the cases of all its campaigns.

@@ -50,6 +50,10 @@ RecordingPlan recording_plan(const std::vector<std::string>& arguments) {
     refuse(fmt::format("--pairs-after {} has to lie from --after {} on and before --until {}",
                        *plan.pairs_after, plan.first_step, plan.last_step));
   plan.going_on = going_on_from(going_on, plan.last_step);
+  if (plan.measured_before.has_value() != plan.block_steps.has_value())
+    refuse("--measured-before and --block-steps belong together; give both or none");
+  if (plan.measured_before && plan.going_on)
+    refuse("a part of a measurement (--measured-before) does not go on (--target-error)");
   return plan;
 }
 

@@ -42,8 +42,7 @@ long census_steps(const Case& mill, const RecordingPlan& plan, double time_step)
   constexpr double censuses_a_pitch = 50.0;
   constexpr double censuses_a_block = 4.0;
   const double pitch = mill.liner.sector.pitch() / (mill.speed * time_step);
-  const double block =
-      static_cast<double>(plan.last_step - plan.first_step) / mill.wear.time_blocks;
+  const double block = static_cast<double>(steps_of_blocks(plan)) / mill.wear.time_blocks;
   const double steps = std::min(pitch / censuses_a_pitch, block / censuses_a_block);
   return plan.every_steps *
          std::max(1L, static_cast<long>(steps / static_cast<double>(plan.every_steps)));

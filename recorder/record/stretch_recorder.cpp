@@ -40,9 +40,8 @@ std::size_t triangles_of(LAMMPS_NS::FixMeshSurface& mesh) {
 
 LoadMeasurement measurement_of(const Case& mill, const RecordingPlan& plan, double time_step,
                                std::size_t triangles) {
-  auto measurement =
-      load_measurement(mill, time_step * static_cast<double>(plan.last_step - plan.first_step),
-                       time_step * static_cast<double>(plan.every_steps), triangles);
+  auto measurement = load_measurement(mill, time_step * static_cast<double>(steps_of_blocks(plan)),
+                                      time_step * static_cast<double>(plan.every_steps), triangles);
   measurement.motion = MotionRecord::kept;
   return measurement;
 }
@@ -106,11 +105,15 @@ StretchRecorder::StretchRecorder(LAMMPS& liggghts, const Case& mill, const Recor
   check_particles(liggghts, mill);
   if (plan.events) spool_.emplace(*plan.events, liggghts.comm->me);
   check_blocks(mill, plan);
+  if (const long whole = measured_until(plan, plan.last_step); whole > steps_of_blocks(plan))
+    load_.go_on_until(liggghts.update->dt * static_cast<double>(whole));
   hang_on(liggghts, mesh_, module_);
 }
 
 void StretchRecorder::before_run() {
   standing_.contacts.clear();
+  // A run sets up by building the neighbour lists at the step where the last one ended.
+  latest_step_ = liggghts_.update->ntimestep - 1;
   if (!plan_.pairs_after || pairs_ || liggghts_.update->ntimestep != *plan_.pairs_after) return;
   keep_pair_forces(liggghts_);
   const double dt = liggghts_.update->dt;
@@ -172,6 +175,10 @@ void StretchRecorder::check_that_it_turns(const WallTouch& touch) const {
         touch.wall.norm(), expected.norm()));
 }
 
+double StretchRecorder::time_at(long step) const {
+  return liggghts_.update->dt * static_cast<double>(measured_until(plan_, step));
+}
+
 bool StretchRecorder::left_this_rank(std::uint32_t particle) const {
   const int i = liggghts_.atom->map(static_cast<int>(particle));
   return i < 0 || i >= liggghts_.atom->nlocal;
@@ -201,7 +208,7 @@ void StretchRecorder::take_step(long step, const std::vector<WallTouch>& touches
   if (step != plan_.first_step && !is_sampled(plan_, step)) return;
   const double dt = liggghts_.update->dt;
   WallContacts& sample = waiting_[waiting_count_];
-  sample.time = dt * static_cast<double>(step - plan_.first_step);
+  sample.time = time_at(step);
   sample.mill_angle = mill_.speed * dt * static_cast<double>(step);
   sample.interval = dt * static_cast<double>(step - sampled_until_);
   sampled_until_ = step;
@@ -229,8 +236,8 @@ void StretchRecorder::sum_waiting() {
 
 void StretchRecorder::take_standing(long step, const WallTouch& touch) {
   if (begun_ || step != plan_.first_step) return;
-  const double dt = liggghts_.update->dt;
-  standing_.mill_angle = mill_.speed * dt * static_cast<double>(step);
+  standing_.time = time_at(step);
+  standing_.mill_angle = mill_.speed * liggghts_.update->dt * static_cast<double>(step);
   standing_.contacts.push_back(contact_from(touch, Company::unknown));
 }
 
@@ -284,7 +291,7 @@ long StretchRecorder::steps_to_go_on() {
   if (ended_) return 0;
   wanted_samples_ += samples_between(plan_, plan_.last_step, plan_.last_step + next.steps);
   plan_.last_step += next.steps;
-  load_.go_on_until(liggghts_.update->dt * static_cast<double>(plan_.last_step - plan_.first_step));
+  load_.go_on_until(time_at(plan_.last_step));
   return next.steps;
 }
 

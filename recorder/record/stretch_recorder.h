@@ -51,6 +51,7 @@ class StretchRecorder {
   void exchange_collisions(long step);
   [[nodiscard]] WallContact contact_from(const WallTouch& touch, Company company) const;
   [[nodiscard]] std::size_t class_of_particle(int particle) const;
+  [[nodiscard]] double time_at(long step) const;  ///< of the measurement [s]
   [[nodiscard]] bool left_this_rank(std::uint32_t particle) const;
   void check_that_it_turns(const WallTouch& touch) const;
   void take_standing(long step, const WallTouch& touch);

@@ -19,6 +19,7 @@
 #include "liggghts_build.h"
 #include "mill/base/failure.h"
 #include "mill/case_file/case_file.h"
+#include "recorder/balance/balanced_columns.h"
 #include "recorder/neighbours/neighbours_by_size.h"
 #include "recorder/options/mixing_options.h"
 #include "recorder/options/recording_plan.h"
@@ -86,6 +87,7 @@ class RecordedDeck {
 
  private:
   void run_line(const std::string& line) {
+    balance_columns(*liggghts_, plan_.columns);
     if (!recorder_) begin_to_record();
     recorder_->before_run();
     liggghts_->input->one(line.c_str());
@@ -129,8 +131,10 @@ void mix(const std::vector<std::string>& arguments) {
 void only_run(const std::vector<std::string>& arguments) {
   const DeckRunOptions options = run_options(arguments);
   const auto liggghts = start_liggghts();
-  run_deck(*liggghts, options.deck,
-           [&](const std::string& line) { liggghts->input->one(line.c_str()); });
+  run_deck(*liggghts, options.deck, [&](const std::string& line) {
+    balance_columns(*liggghts, options.columns);
+    liggghts->input->one(line.c_str());
+  });
 }
 
 /// Like LIGGGHTS itself: a run that is told to stop ends with its step.

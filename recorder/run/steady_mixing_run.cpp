@@ -18,6 +18,7 @@
 #include "mill/base/published_file.h"
 #include "mill/load/mixing_record.h"
 #include "mill/recording/recorder_lines.h"
+#include "recorder/balance/balanced_columns.h"
 #include "recorder/record/liner_census.h"
 #include "recorder/run/deck_lines.h"
 #include "recorder/run/deck_run.h"
@@ -83,6 +84,7 @@ void mix_until_steady(LAMMPS& liggghts, const MixingOptions& options) {
   std::optional<LinerCensus> census;  // LIGGGHTS knows it until the deck has come to its end
   run_deck(liggghts, options.deck, [&](const std::string& line) {
     check_run(liggghts, options, line);
+    balance_columns(liggghts, options.columns);
     census.emplace(liggghts, std::max(1L, record.plan.piece / censuses_a_piece));
     run_until_steady(liggghts, options, *census, record);
   });

@@ -1,13 +1,13 @@
 # Sourced by the benchmarks of LIGGGHTS's speed, from the project's folder with $ranks set. Builds
-# millwear and leaves: $work, a folder that goes when the script ends; $millwear; $recorder, which runs
+# millwear (or takes the program MILLWEAR) and leaves: $work, a folder that goes when the script ends; $millwear; $recorder, which runs
 # LIGGGHTS with the search and the loop of its own; $own_pairs, an option for the pairs with which it leaves the
 # loop to LIGGGHTS; $mpi, the launch.
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 root=""; [ "$(id -u)" -ne 0 ] || root=--allow-run-as-root
 mpi="mpirun -np $ranks --bind-to none $root"
-make -s build >&2
-millwear=$PWD/build/release/millwear
+[ -n "${MILLWEAR:-}" ] || make -s build >&2
+millwear=${MILLWEAR:-$PWD/build/release/millwear}
 recorder=$millwear-recorder
 own_pairs="tangential_damping on"   # as it is anyway, but any option will do
 

@@ -15,6 +15,7 @@ for seconds in 2 4 6; do
 done
 "$program" "$@" "$work/killed" >/dev/null
 cmp "$work/whole/study.csv" "$work/killed/study.csv"
+"$program" status "$case" --out "$work/killed" | grep -q ': 4 campaigns, 4 done$'
 
 # Another axis runs no campaign again that it has.
 before=$(wc -l <"$work/whole/jobs.tsv")

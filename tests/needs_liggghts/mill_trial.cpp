@@ -15,9 +15,9 @@ liggghts::StretchExpectation write_contact_model(const Case& mill,
                                                  const meshgen::LinerMesh& mesh,
                                                  const std::filesystem::path& folder,
                                                  liggghts::StretchKind kind, int cycle) {
-  write_text(
-      folder / names::contact_model,
-      liggghts::contact_model_deck(mill, steps, {"liner.stl", mesh.triangles.size()}, kind, cycle));
+  write_text(folder / names::contact_model,
+             liggghts::contact_model_deck(mill, steps, {"liner.stl", mesh.triangles.size()},
+                                          {kind, cycle}));
   return {totals(mill).particles, mesh.triangles.size(), steps.total()};
 }
 
@@ -50,7 +50,7 @@ Stretch mix(const Case& mill, const liggghts::StretchSteps& steps,
             const std::filesystem::path& folder, int ranks) {
   auto mesh = write_liner_mesh(mill, mill.liner, folder);
   write_text(folder / names::charge, liggghts::charge_data_file(mill, liggghts::pack_charge(mill)));
-  write_text(folder / names::deck, liggghts::mixing_deck(mill, steps, ranks));
+  write_text(folder / names::deck, liggghts::mixing_deck(mill, steps, {}, ranks));
   return run(mill, steps, std::move(mesh), folder, liggghts::StretchKind::mix, 0, ranks, {});
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "liggghts_inputs/decks/deck.h"
 #include "mill/case/time_step.h"
@@ -57,6 +58,38 @@ void RecordedMill::expect_same_bits(const StretchSteps& steps) {
 TEST_F(RecordedMill, EndsInTheSameBitsAsWithoutTheRecorder) {
   for (const long pair_steps : {0L, 1000L})
     expect_same_bits({plan_.time_step, 500, 2500, 1, pair_steps});
+}
+
+/// Places and velocities of the last dump, by the particles' numbers.
+std::vector<double> last_state(const std::filesystem::path& folder) {
+  std::istringstream text(text_of(folder / "last.dump"));
+  std::string line;
+  while (std::getline(text, line) && !line.starts_with("ITEM: ATOMS")) continue;
+  std::vector<double> values;
+  for (double value; text >> value;) values.push_back(value);
+  return values;
+}
+
+// Columns that are cut anew before every run, with other ranks for most particles and their
+// contacts: the same trajectories to rounding, and the same load.
+TEST_F(RecordedMill, IsTheSameInBalancedColumns) {
+  const StretchSteps steps{plan_.time_step, 100, 200, 1, 100};
+  const auto alone = scratch_.stage("alone");
+  const auto load = record(mill_, steps, mill_.liner, alone, "mix", 1, add_final_dump).record.load;
+  mill_.dem.rank_split = RankSplit::balanced;
+  for (const int ranks : {2, 3, 4}) {
+    const auto folder = scratch_.stage(fmt::format("balanced{}", ranks));
+    const auto shared =
+        record(mill_, steps, mill_.liner, folder, "mix", ranks, add_final_dump).record.load;
+    const auto mine = last_state(folder);
+    const auto theirs = last_state(alone);
+    ASSERT_EQ(mine.size(), theirs.size());
+    ASSERT_GT(mine.size(), 1000U);
+    for (std::size_t i = 0; i < mine.size(); ++i)
+      EXPECT_NEAR(mine[i], theirs[i], 1e-6 * std::max(1.0, std::abs(theirs[i]))) << i;
+    for (const Measure measure : {Measure::samples, Measure::events, Measure::sliding_work})
+      EXPECT_NEAR(sum(shared, measure), sum(load, measure), 1e-6 * sum(load, measure)) << ranks;
+  }
 }
 
 /// The small mill with particles of 6 mm between its balls of 30: its neighbours lie in grids of

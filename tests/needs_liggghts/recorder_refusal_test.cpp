@@ -68,7 +68,7 @@ class RecorderRefusal : public ::testing::Test {
                                         fmt::format("../{}/{}", mix_stage, names::restart), 1));
     write_text(folder_ / names::contact_model,
                liggghts::contact_model_deck(mill, steps_, {"liner.stl", mesh.triangles.size()},
-                                            liggghts::StretchKind::measure, 0));
+                                            {liggghts::StretchKind::measure, 0}));
     write_text(folder_ / "case.toml", locked_case_text(mill));
     write_text(folder_ / "liner.csv", profile_csv(mill.liner));
   }
@@ -318,8 +318,19 @@ class TwoHalves : public RecorderRefusal {
   };
 
   [[nodiscard]] Part recorded(long after, long until) const {
-    const Ended ended =
-        run({{"--after", std::to_string(after)}, {"--until", std::to_string(until)}});
+    return recorded({{"--after", std::to_string(after)}, {"--until", std::to_string(until)}});
+  }
+
+  /// The steps from `after` to `until` as a part of a measurement of all of them.
+  [[nodiscard]] Part recorded_part(long after, long until) const {
+    return recorded({{"--after", std::to_string(after)},
+                     {"--until", std::to_string(until)},
+                     {"--measured-before", std::to_string(after)},
+                     {"--block-steps", std::to_string(steps_.total())}});
+  }
+
+  [[nodiscard]] Part recorded(const std::map<std::string, std::string>& options) const {
+    const Ended ended = run(options);
     EXPECT_EQ(ended.code, 0) << ended.log;
     Part part{wear::read_record(folder_ / "load.h5"), {}};
     wear::for_each_collision(folder_ / "events.h5", [&](const wear::Collision& collision) {
@@ -381,6 +392,28 @@ TEST_F(TwoHalves, MakeTheWhole) {
       ++same;
     }
   EXPECT_GT(same, 0u);
+}
+
+// Recorded as parts of one measurement, they join to it block by block, on one clock, wherever its
+// time blocks end.
+TEST_F(TwoHalves, JoinAsPartsOfOneMeasurement) {
+  const long middle = steps_.settle_steps;
+  const long end = steps_.total();
+  const Part whole = recorded(0, end);
+  const Part first = recorded_part(0, middle);
+  const Part second = recorded_part(middle, end);
+  const wear::LinerRecord joined = wear::joined(first.record, second.record);
+  EXPECT_EQ(joined.load.duration, whole.record.load.duration);
+  for (std::size_t m = 0; m < measure_count; ++m) {
+    const auto& mine = joined.load.values[m];
+    const auto& theirs = whole.record.load.values[m];
+    ASSERT_EQ(mine.cols(), theirs.cols());
+    EXPECT_LT((mine - theirs).cwiseAbs().maxCoeff(), 1e-9 * theirs.cwiseAbs().maxCoeff())
+        << measure_names[m];
+  }
+  EXPECT_LT((joined.motion->census - whole.record.motion->census).cwiseAbs().maxCoeff(),
+            1e-9 * whole.record.motion->census.maxCoeff());
+  EXPECT_DOUBLE_EQ(second.collisions.back().end, whole.collisions.back().end);
 }
 
 }  // namespace

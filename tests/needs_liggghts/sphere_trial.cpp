@@ -110,7 +110,7 @@ liggghts::StretchExpectation write_sphere_deck(const Case& mill,
                              w.y(), w.z()));
   write_text(folder / names::contact_model,
              liggghts::contact_model_deck(mill, steps, {"liner.stl", mesh.triangles.size()},
-                                          liggghts::StretchKind::measure, 0));
+                                          {liggghts::StretchKind::measure, 0}));
   write_text(folder / names::deck,
              with(with(liggghts::measuring_deck(mill, steps, mill.liner, names::charge, ranks),
                        "read_restart", "read_data"),

@@ -34,16 +34,17 @@ class SteadyMixing : public ::testing::Test {
     const auto mesh = write_liner_mesh(mill_, mill_.liner, folder);
     write_text(folder / names::charge,
                liggghts::charge_data_file(mill_, liggghts::pack_charge(mill_)));
-    write_text(folder / names::deck, liggghts::mixing_deck(mill_, steps, ranks));
+    write_text(folder / names::deck, liggghts::mixing_deck(mill_, steps, {}, ranks));
     write_text(folder / names::contact_model,
                liggghts::contact_model_deck(mill_, steps, {"liner.stl", mesh.triangles.size()},
-                                            liggghts::StretchKind::mix, 0));
+                                            {liggghts::StretchKind::mix, 0}));
     if (change) change(folder);
     orchestrator::run_liggghts(
         {folder,
          ranks,
          {},
-         orchestrator::RecorderProgram{MILLWEAR_RECORDER, orchestrator::mixing_arguments(mill_)}},
+         orchestrator::RecorderProgram{MILLWEAR_RECORDER,
+                                       orchestrator::mixing_arguments(mill_, ranks)}},
         {});
     return text_of(folder / "mixing.csv");
   }

@@ -16,7 +16,6 @@
 #include "orchestrator/campaign/campaign.h"
 #include "orchestrator/campaign/mesh_files.h"
 #include "orchestrator/dem_run/stretch_run.h"
-#include "orchestrator/dem_run/stretch_stages.h"
 #include "wear/rate/wear_law.h"
 #include "wear/record/collision_store.h"
 #include "wear/record/load_read.h"
@@ -111,6 +110,7 @@ Recording record_deck(const Case& mill, const liggghts::StretchSteps& steps,
                      .every_steps = steps.sample_steps,
                      .pairs_after = {},
                      .going_on = {}};
+  plan.columns = liggghts::columns_to_balance(mill, ranks);
   if (steps.pair_steps > 0) plan.pairs_after = steps.total() - steps.pair_steps;
   if (steps.go_on_steps > 0)
     plan.going_on = GoingOn{mill.dem.error_target->relative_error, steps.go_on_steps,

@@ -5,10 +5,10 @@
 #include "mill/base/whole_file.h"
 #include "orchestrator/campaign/campaign.h"
 #include "orchestrator/campaign/stage_order.h"
-#include "orchestrator/dem_run/stretch_stages.h"
 #include "orchestrator/dem_run/tune_stage.h"
 #include "orchestrator/dem_run/tuning_file.h"
 #include "orchestrator/stages/run_stage.h"
+#include "orchestrator/stretch/stretch_stages.h"
 #include "tests/needs_liggghts/mill_trial.h"
 
 namespace millwear::trial {

@@ -13,13 +13,18 @@ trap 'stop_slurm; [ -n "${KEEP:-}" ] || rm -rf "$work"' EXIT
 fail() { echo "$1"; tail -n 20 "$work"/study/slurm/*.log 2>/dev/null || true; exit 1; }
 start_slurm "$work/slurm"
 
-# Slurm warns within half a minute before it has to: here after some 20 s. A load should take about 12 s,
-# so that a campaign of several is not done by then, and a load is.
+# Slurm's least walltime is a minute, and it warns up to half a minute before it has to. So a load should
+# take some 30 s, that a campaign of several is not done by then, in chunks of 4 s, that it goes on however
+# fast the machine is just now.
 sed 's/^measure_revolutions.*/measure_revolutions = 4.0/' "$case" >"$work/probe.toml"
 begin=$(date +%s%N)
 "$program" run "$work/probe.toml" --out "$work/probe" --until 0:dem --quiet >/dev/null
-revolutions=$(awk -v taken=$(($(date +%s%N) - begin)) 'BEGIN { printf "%.1f", 4.0 * 12e9 / taken }')
-sed "s/^measure_revolutions.*/measure_revolutions = $revolutions/" "$case" >"$work/case.toml"
+taken=$(($(date +%s%N) - begin))
+revolutions=$(awk -v taken=$taken 'BEGIN { printf "%.1f", 4.0 * 30e9 / taken }')
+particle_steps=$(awk -v revolutions="$revolutions" -v steps="$("$program" check "$case" |
+  awk '/steps a revolution/ { print $1 }')" 'BEGIN { printf "%.0f", 32 * steps * revolutions / 8 }')
+sed "s/^measure_revolutions.*/measure_revolutions = $revolutions\nchunk_particle_steps = $particle_steps/" \
+  "$case" >"$work/case.toml"
 cat >"$work/study.toml" <<STUDY
 format_version = 1
 name = "submitted"

@@ -48,4 +48,33 @@ LinerRecord sum_of(const LinerRecord& first, const LinerRecord& second) {
   return sum;
 }
 
+WallLoad with_blocks(const WallLoad& load, std::size_t block_count) {
+  WallLoad longer = load;
+  longer.block_count = block_count;
+  const auto had = static_cast<Eigen::Index>(load.block_count);
+  const auto blocks = static_cast<Eigen::Index>(block_count);
+  const auto classes = static_cast<Eigen::Index>(load.class_count);
+  for (std::size_t m = 0; m < measure_count; ++m) {
+    longer.values[m].setZero(load.bins(), classes * blocks);
+    for (Eigen::Index c = 0; c < classes; ++c)
+      longer.values[m].middleCols(c * blocks, had) = load.values[m].middleCols(c * had, had);
+  }
+  return longer;
+}
+
+LinerRecord joined(const LinerRecord& first, const LinerRecord& last) {
+  LinerRecord before = first;
+  before.load = with_blocks(first.load, last.load.block_count);
+  before.load.duration = last.load.duration;
+  before.angles = with_blocks(first.angles, last.load.block_count);
+  if (first.motion) before.motion = with_blocks(*first.motion, last.load.block_count);
+  LinerRecord after = last;
+  before.pairs.reset();
+  after.pairs.reset();
+  LinerRecord whole = sum_of(before, after);
+  whole.pairs = last.pairs ? last.pairs : first.pairs;
+  whole.goal = last.goal;
+  return whole;
+}
+
 }  // namespace millwear::wear

@@ -37,4 +37,12 @@ struct LinerRecord {
 /// The same for loads alone.
 [[nodiscard]] WallLoad sum_of(const WallLoad& first, const WallLoad& second);
 
+/// A load with time blocks added at the end, in which nothing was measured yet.
+[[nodiscard]] WallLoad with_blocks(const WallLoad& load, std::size_t block_count);
+
+/// One record from those of two consecutive parts of a measurement. Each has the time blocks from
+/// the measurement's beginning, `last` at least as many as `first`, and what was measured in its
+/// own part of the time. The collisions between particles are those of the one that has them.
+[[nodiscard]] LinerRecord joined(const LinerRecord& first, const LinerRecord& last);
+
 }  // namespace millwear::wear

@@ -51,21 +51,6 @@ LinerRecord empty_record(const LinerSector& sector, const LoadMeasurement& m, do
           std::nullopt};
 }
 
-/// Columns for so many blocks of each class, those there are taken over and the rest zero.
-WallLoad with_blocks(const WallLoad& load, std::size_t block_count) {
-  WallLoad longer = load;
-  longer.block_count = block_count;
-  const auto had = static_cast<Eigen::Index>(load.block_count);
-  const auto blocks = static_cast<Eigen::Index>(block_count);
-  const auto classes = static_cast<Eigen::Index>(load.class_count);
-  for (std::size_t m = 0; m < measure_count; ++m) {
-    longer.values[m].setZero(load.bins(), classes * blocks);
-    for (Eigen::Index c = 0; c < classes; ++c)
-      longer.values[m].middleCols(c * blocks, had) = load.values[m].middleCols(c * had, had);
-  }
-  return longer;
-}
-
 double share(double rejected, double taken) {
   return rejected + taken > 0.0 ? rejected / (rejected + taken) : 0.0;
 }

@@ -18,13 +18,13 @@ using ::testing::Not;
 
 const StretchSteps steps{4e-5, 4000, 20000, 20};
 
-std::string liner_deck(StretchKind kind, int cycle) {
-  return contact_model_deck(example_case(), steps, {"liner.stl", 216}, kind, cycle);
+std::string liner_deck(StretchKind kind, int cycle, int chunk = 0) {
+  return contact_model_deck(example_case(), steps, {"liner.stl", 216}, {kind, cycle, chunk});
 }
 
 TEST(Deck, LeavesNoPlaceholderBehind) {
   const Case mill = example_case();
-  for (const auto& deck : {mixing_deck(mill, steps, 1),
+  for (const auto& deck : {mixing_deck(mill, steps, {}, 1),
                            measuring_deck(mill, steps, mill.liner, "../mix/charge.restart", 1),
                            trial_deck(mill, {25, 100}, "../mix/charge.restart", 1),
                            liner_deck(StretchKind::mix, 0), liner_deck(StretchKind::measure, 3)}) {
@@ -49,16 +49,16 @@ TEST(Deck, DumpsTheBeginningAndTheEndOfTheMeasurement) {
 TEST(Deck, PrintsTheSentinelLast) {
   const Case mill = example_case();
   const std::string end = "print         \"millwear: stretch complete\"\n";
-  EXPECT_THAT(mixing_deck(mill, steps, 1), EndsWith(end));
+  EXPECT_THAT(mixing_deck(mill, steps, {}, 1), EndsWith(end));
   EXPECT_THAT(measuring_deck(mill, steps, mill.liner, "x", 1), EndsWith(end));
 }
 
 TEST(Deck, CutsTheChargeInTwoForAnEvenNumberOfRanks) {
   const Case mill = example_case();
-  for (const auto& deck : {mixing_deck(mill, steps, 4), trial_deck(mill, {25, 100}, "x", 2),
+  for (const auto& deck : {mixing_deck(mill, steps, {}, 4), trial_deck(mill, {25, 100}, "x", 2),
                            measuring_deck(mill, steps, mill.liner, "x", 2)})
     EXPECT_THAT(deck, HasSubstr("\nprocessors    2 * 1\n"));
-  for (const auto& deck : {mixing_deck(mill, steps, 1), trial_deck(mill, {25, 100}, "x", 3),
+  for (const auto& deck : {mixing_deck(mill, steps, {}, 1), trial_deck(mill, {25, 100}, "x", 3),
                            measuring_deck(mill, steps, mill.liner, "x", 3)})
     EXPECT_THAT(deck, HasSubstr("\nprocessors    1 * 1\n"));
 }
@@ -77,15 +77,53 @@ TEST(Deck, GivesEveryMeshAnIdOfItsOwn) {
   EXPECT_THAT(liner_deck(StretchKind::mix, 0), HasSubstr("fix liner_000_mix all mesh/surface"));
   EXPECT_THAT(liner_deck(StretchKind::measure, 0), HasSubstr("fix liner_000 all mesh/surface"));
   EXPECT_THAT(liner_deck(StretchKind::measure, 12), HasSubstr("fix liner_012 all mesh/surface"));
+  EXPECT_THAT(liner_deck(StretchKind::mix, 0, 2),
+              HasSubstr("fix liner_000_mix_chunk_2 all mesh/surface"));
+}
+
+TEST(Deck, OfALaterChunkOfAMixingReadsTheOneBefore) {
+  const Case mill = example_case();
+  const auto deck = mixing_deck(mill, steps, "../.mix.chunk_0/charge.restart", 1);
+  EXPECT_THAT(deck, HasSubstr("\nread_restart  ../.mix.chunk_0/charge.restart\n"));
+  EXPECT_THAT(deck, Not(HasSubstr("read_data")));
+}
+
+// 1 m wide and 0.2 m long: eight ranks have the least surface as eight columns, and as two by four
+// where the slice is 3 m.
+TEST(Deck, HasBalancedColumnsForAnyNumberOfRanks) {
+  Case mill = example_case();
+  mill.dem.rank_split = RankSplit::balanced;
+  EXPECT_THAT(measuring_deck(mill, steps, mill.liner, "x", 3),
+              HasSubstr("\nprocessors    3 1 1\n"));
+  EXPECT_THAT(measuring_deck(mill, steps, mill.liner, "x", 8),
+              HasSubstr("\nprocessors    8 1 1\n"));
+  EXPECT_EQ(columns_to_balance(mill, 8), 8);
+  EXPECT_EQ(columns_to_balance(mill, 1), std::nullopt);
+  mill.slice_length = 3.0;
+  EXPECT_THAT(measuring_deck(mill, steps, mill.liner, "x", 8),
+              HasSubstr("\nprocessors    2 4 1\n"));
+  mill.dem.rank_split = RankSplit::charge;
+  EXPECT_EQ(columns_to_balance(mill, 8), std::nullopt);
+}
+
+// The charge falls for a quarter of a revolution before its columns are cut for the rest.
+TEST(Deck, OfAMixingInBalancedColumnsHasTwoRuns) {
+  Case mill = example_case();
+  mill.dem.rank_split = RankSplit::balanced;
+  const long falling = 3 * plan_steps(mill).steps_per_pitch;
+  const StretchSteps mixing{4e-5, 5 * falling, 0, 20};
+  EXPECT_THAT(
+      mixing_deck(mill, mixing, {}, 2),
+      HasSubstr(fmt::format("\nrun           {}\nrun           {}\n", falling, 4 * falling)));
 }
 
 TEST(Deck, OfAMixingThatEndsOnceItIsSteadyAveragesOverItsPieces) {
   Case mill = example_case();
-  EXPECT_THAT(mixing_deck(mill, steps, 1), Not(HasSubstr("drift")));
+  EXPECT_THAT(mixing_deck(mill, steps, {}, 1), Not(HasSubstr("drift")));
   mill.dem.mix_until_steady = true;
   const long piece = mixing_plan(mill, plan_steps(mill)).piece;
   EXPECT_THAT(
-      mixing_deck(mill, steps, 1),
+      mixing_deck(mill, steps, {}, 1),
       HasSubstr(fmt::format("fix           drift all ave/time 1 {0} {0} v_torque c_kinetic\n"
                             "run           24000\n",
                             piece)));

@@ -21,6 +21,14 @@ RecordingPlan full() {
   return plan;
 }
 
+RecordingPlan part() {
+  RecordingPlan plan = plain();
+  plan.measured_before = 0;
+  plan.block_steps = 1000;
+  plan.columns = 4;
+  return plan;
+}
+
 std::vector<std::string> behind_verb(std::vector<std::string> words, const char* verb) {
   EXPECT_EQ(words.front(), verb);
   words.erase(words.begin());
@@ -31,15 +39,16 @@ std::vector<std::string> behind_verb(std::vector<std::string> words, const char*
 TEST(RecorderOrders, OfARecordingComeBackFromTheirWords) {
   EXPECT_EQ(recording_plan(to_arguments(plain())), plain());
   EXPECT_EQ(recording_plan(to_arguments(full())), full());
+  EXPECT_EQ(recording_plan(to_arguments(part())), part());
 }
 
 TEST(RecorderOrders, OfAMixingComeBackFromTheirWords) {
-  const MixingOptions options{"deck.in", "mixing.csv", {100, 400, 2400, 1200}};
+  const MixingOptions options{"deck.in", "mixing.csv", {100, 400, 2400, 1200}, 8};
   EXPECT_EQ(mixing_options(behind_verb(to_arguments(options), mixing_verb)), options);
 }
 
 TEST(RecorderOrders, OfARunComeBackFromTheirWords) {
-  const DeckRunOptions options{"deck.in"};
+  const DeckRunOptions options{"deck.in", 2};
   EXPECT_EQ(run_options(behind_verb(to_arguments(options), running_verb)), options);
 }
 

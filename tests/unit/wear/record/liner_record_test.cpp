@@ -81,5 +81,27 @@ TEST(LinerRecord, RefusesToSumWhatDiffersInMoreThanItsValues) {
   }
 }
 
+// The first part knows three blocks, the last, by which the measurement went on, four.
+TEST(LinerRecord, PartsJoinWithTheBlocksOfTheLast) {
+  LinerRecord last = record_of(4.0);
+  last.load = with_blocks(last.load, 4);
+  last.load.duration = 8.0 / 3.0;
+  last.angles = with_blocks(last.angles, 4);
+  last.motion = with_blocks(*last.motion, 4);
+  last.pairs.reset();
+  const LinerRecord whole = joined(record_of(1.0), last);
+  EXPECT_EQ(whole.load.block_count, 4U);
+  EXPECT_EQ(whole.load.duration, 8.0 / 3.0);
+  const auto& values = whole.load.values[0];
+  ASSERT_EQ(values.cols(), 8);  // two classes
+  EXPECT_EQ(values.leftCols(3), Eigen::MatrixXd::Constant(2, 3, 5.0));
+  EXPECT_EQ(values.col(3).sum(), 0.0);
+  EXPECT_EQ(values.middleCols(4, 3), Eigen::MatrixXd::Constant(2, 3, 5.0));
+  EXPECT_EQ(whole.angles.contacts.leftCols(3), Eigen::MatrixXd::Constant(degrees_around, 3, 5.0));
+  EXPECT_EQ(whole.motion->census.leftCols(3), Eigen::MatrixXd::Constant(6, 3, 5.0));
+  ASSERT_TRUE(whole.pairs);
+  EXPECT_EQ(whole.pairs->normal_dissipation, 1.0);
+}
+
 }  // namespace
 }  // namespace millwear::wear

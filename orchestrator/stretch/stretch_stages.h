@@ -21,13 +21,4 @@ void simulate_load(const Campaign& campaign, int cycle, const std::filesystem::p
 void measure_load(const Campaign& campaign, int cycle, const std::filesystem::path& into,
                   Progress& progress);
 
-/// The decks of a stretch and, for a mixing one, its charge, written into `into`. What there is to
-/// say of the charge is returned, nothing of a packing.
-std::string write_mixing_deck(const Campaign& campaign, int cycle,
-                              const std::filesystem::path& into);
-void write_measuring_deck(const Campaign& campaign, int cycle, const std::filesystem::path& into);
-
-/// What millwear-recorder is told of a measuring stretch; paths are from the stage's folder.
-[[nodiscard]] std::vector<std::string> recorder_arguments(const Case& mill);
-
 }  // namespace millwear::orchestrator

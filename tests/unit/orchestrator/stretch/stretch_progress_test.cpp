@@ -1,4 +1,4 @@
-#include "orchestrator/dem_run/stretch_progress.h"
+#include "orchestrator/stretch/stretch_progress.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

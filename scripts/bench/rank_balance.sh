@@ -1,0 +1,53 @@
+#!/bin/sh
+# How evenly ranks share a mill in motion: particles, ghosts and touching pairs of the ranks, on the charge that
+# a campaign left in one of its cycles, with LIGGGHTS's even cuts and with balanced columns. Slices longer than
+# the campaign's are made of copies of its charge. The time of a step is told
+# of no more ranks than there are cores.
+#   scripts/bench/rank_balance.sh CAMPAIGN CYCLE [copies] [ranks...]
+set -eu
+campaign=$(cd "$1" && pwd) cycle=$(printf %03d "$2") copies=${3:-1}
+shift 2; [ $# = 0 ] || shift
+cd "$(dirname "$0")/../.."
+[ $# -gt 0 ] || set -- 1 2 4 8 16 32
+ranks=1
+. scripts/bench/dem_timing.sh
+from=$campaign/cycle_$cycle
+slice=$(awk '/^slice_length_m/ { print $3 }' "$campaign/case.lock.toml")
+long=$(awk -v slice="$slice" -v copies="$copies" 'BEGIN { print slice * copies }')
+mkdir -p "$work/dem"
+sed "s/^slice_length_m.*/slice_length_m = $long/" "$campaign/case.lock.toml" >"$work/case.toml"
+awk -v copies="$copies" '/^count/ { $3 = copies * $3 } { print }' "$work/case.toml" >"$work/long.toml"
+$millwear mesh "$work/long.toml" --profile "$from/mesh/profile.csv" --out "$work/mesh" --quiet >/dev/null
+sed 's/liner_'"$cycle"'/liner_balance/g' "$from/dem/contact_model.in" >"$work/dem/contact_model.in"
+
+# counts PROCESSORS OPTIONS: largest over mean of the ranks' particles, ghosts a particle, largest over mean of
+# their touching pairs, time of a step [ms], with so many ranks
+counts() {
+  steps=20; [ "$ranks" -gt "$(nproc)" ] || steps=200
+  sed -e "s|^processors.*|processors    $1|" -e "s|^read_restart.*|read_restart $from/dem/charge.restart\\nreplicate 1 $copies 1|" \
+    -e '/^fix  *drive/d' -e '/^write_restart/d' -e '/^#/d' -e 's/liner_'"$cycle"'/liner_balance/g' "$from/dem/deck.in" |
+    awk -v steps=$steps '/^run/ { if (!done++) print "run 20\nrun " steps; next } { print }' >"$work/dem/deck.in"
+  (cd "$work/dem" && mpirun -np "$ranks" --oversubscribe --bind-to none --mca mpi_yield_when_idle 1 $root "$recorder" run \
+    --in deck.in $2 >log) || { tail -5 "$work/dem/log"; exit 1; }
+  awk '/^Nlocal/ { n = $2; most = $4 } /^Nghost/ { ghosts = $2 } /^Neighs/ { pairs = $4 / $2 }
+    /^Loop time/ { ms = 1000 * $4 / $9 } END { printf "%.2f %.2f %.2f ", most / n, ghosts / n, pairs }
+    END { if (steps > 20) printf "%.2f", ms; else print "-" }' steps=$steps "$work/dem/log"
+}
+
+echo "slice of $long m, $(awk -v copies="$copies" '/^count/ { n += $3 } END { print n }' "$work/long.toml") particles"
+{
+  echo "ranks  cuts      grid    largest/mean  ghosts/particle  pairs,largest/mean  ms/step"
+  for ranks in "$@"; do
+    # shellcheck disable=SC2046
+    [ "$ranks" != 1 ] || { printf '1 - 1x1x1 %s %s %s %s\n' $(counts "1 1 1" ""); continue; }
+    half=$((ranks / 2))
+    # shellcheck disable=SC2046
+    printf '%s charge 2x%sx1 %s %s %s %s\n' "$ranks" "$half" $(counts "2 $half 1" "")
+    printf '%s axis 1x%sx1 %s %s %s %s\n' "$ranks" "$ranks" $(counts "1 $ranks 1" "")
+    sed "s/^rank_split.*//; s/^\\[dem\\]/[dem]\\nrank_split = \"balanced\"/" "$work/long.toml" >"$work/balanced.toml"
+    $millwear deck "$work/balanced.toml" --out "$work/deck$ranks" --ranks "$ranks" --quiet >/dev/null
+    grid=$(awk '/^processors/ { print $2, $3, $4 }' "$work/deck$ranks/cycle_000/dem/deck.in")
+    printf '%s even %s %s %s %s %s\n' "$ranks" "$(echo "$grid" | tr ' ' x)" $(counts "$grid" "")
+    printf '%s balanced %s %s %s %s %s\n' "$ranks" "$(echo "$grid" | tr ' ' x)" $(counts "$grid" "--columns ${grid%% *}")
+  done
+} | column -t

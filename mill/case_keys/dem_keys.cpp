@@ -7,7 +7,7 @@ using key::choice;
 using key::deduced;
 using key::defaulted;
 using key::in;
-using key::locked_where_true;
+using key::locked_unless_default;
 using key::optional;
 using Dem = DemSettings;
 
@@ -61,7 +61,7 @@ const std::vector<KeyRow<DemSettings>>& dem_keys() {
               "rolling friction: constant torque, or elastic-plastic spring-dashpot"),
        defaulted("mix_revolutions", in(&Dem::mix_revolutions), at_least(0.0),
                  "revolutions before the first measurement; with `mix_until_steady` the most"),
-       locked_where_true(defaulted(
+       locked_unless_default(defaulted(
            "mix_until_steady", in(&Dem::mix_until_steady), any_value,
            "mixing ends as soon as torque and kinetic energy drift no longer (with `recorder`)")),
        defaulted("settle_pitches", in(&Dem::settle_pitches), between(0, 100000),
@@ -77,10 +77,10 @@ const std::vector<KeyRow<DemSettings>>& dem_keys() {
                     "with `target_relative_error`: a measurement ends after so many revolutions in "
                     "any case; four times `measure_revolutions` where it is missing"),
            most_from_least),
-       defaulted(
+       locked_unless_default(defaulted(
            "chunk_particle_steps", in(&Dem::chunk_particle_steps), at_least(1.0),
            "a mixing or a measurement of more particles times steps is simulated in chunks of "
-           "whole pitches, and a stop costs one chunk at most (with `recorder`)"),
+           "whole pitches, and a stop costs one chunk at most (with `recorder`)")),
        choice(Presence::defaulted, "wall_contacts", in(&Dem::contact_path),
               {ContactPath::recorder, ContactPath::dumps},
               "how wall contacts are seen: `recorder` takes every step from inside LIGGGHTS, "
@@ -103,9 +103,8 @@ const std::vector<KeyRow<DemSettings>>& dem_keys() {
            "how ranks share the mill: an even number on either side of the moving `charge`'s "
            "middle (where it is missing; an odd number then in slabs), in slabs along the `axis`, "
            "or any number `balanced`, in columns with equally many particles (with `recorder`)"),
-       locked_where_true(defaulted(
-           "tune", in(&Dem::tune),
-           any_value,
+       locked_unless_default(defaulted(
+           "tune", in(&Dem::tune), any_value,
            "`millwear run` chooses the neighbour skin and the split among ranks by a short trial "
            "on the mixed charge; in place of `skin_m` and `rank_split`")),
        defaulted("mesh_tolerance", in(&Dem::mesh_tolerance), above_up_to(0.0, 0.5),

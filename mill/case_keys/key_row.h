@@ -174,12 +174,13 @@ template <typename Settings>
       }};
 }
 
-/// `row` of a switch that the locked copy names only where it is on.
+/// `row` of a key that the locked copy names only where it is not at its default, so that a folder
+/// of a program that did not have the key yet stays the folder of its case.
 template <typename Settings>
-[[nodiscard]] KeyRow<Settings> locked_where_true(KeyRow<Settings> row) {
+[[nodiscard]] KeyRow<Settings> locked_unless_default(KeyRow<Settings> row) {
   row.written = [all = std::move(row.written)](const Settings& settings) {
     std::optional<std::string> text = all(settings);
-    return text == "true" ? text : std::nullopt;
+    return text == all(Settings{}) ? std::nullopt : text;
   };
   return row;
 }

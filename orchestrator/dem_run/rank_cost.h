@@ -17,7 +17,7 @@ struct RankCost {
   double memory;  ///< of all ranks [bytes]
 };
 
-/// A slab as thick as the reach of a contact, d = largest diameter + skin, lies on either side of
+/// A slab as thick as the reach of a contact, d the largest diameter, lies on either side of
 /// every cut and of the periodic ends:
 ///     ghosts = (1 + 2 (columns - 1) d / W) (1 + 2 d slabs / L) - 1,
 /// W the width of the charge and L the slice. A step takes

@@ -272,11 +272,14 @@ TEST(SeedMill, ItsStraightLineIsOffByFiveMillimetres) {
 }
 
 // The runs that are kept: their histories and replicates are real, and so is what comes of them.
-TEST(SeedMill, EveryKeptCampaignHasTheReadingsInItsBand) {
+// Nine readings are held out, three in each of three campaigns. A band of 95 % may leave one of
+// them.
+TEST(SeedMill, KeptCampaignsHaveTheReadingsInTheirBands) {
   const auto folder = cases / "seed_mill_8m_desktop";
   const Case seed = read_case(folder / "case.toml");
   const auto readings = needed_readings_in(folder / "gauge", seed);
   int kept = 0;
+  int outside = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder / "reference")) {
     SCOPED_TRACE(entry.path().filename());
     const auto found = calibrated_course(seed,
@@ -287,12 +290,14 @@ TEST(SeedMill, EveryKeptCampaignHasTheReadingsInItsBand) {
     EXPECT_EQ(found.held_out, 3);
     EXPECT_NEAR(found.factor.value, 1.9, 0.2);
     for (const auto& reading : found.readings) {
-      EXPECT_LE(reading.predicted.band.low, *reading.height + 2.0 * reading.error);
-      EXPECT_GE(reading.predicted.band.high, *reading.height - 2.0 * reading.error);
+      const double own = 2.0 * reading.error;
+      outside += reading.predicted.band.low > *reading.height + own ||
+                 reading.predicted.band.high < *reading.height - own;
     }
     EXPECT_TRUE(std::isfinite(found.life.value));
   }
-  EXPECT_GT(kept, 0);
+  EXPECT_EQ(kept, 3);
+  EXPECT_LE(outside, 1);
 }
 
 }  // namespace

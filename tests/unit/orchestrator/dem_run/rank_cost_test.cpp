@@ -7,7 +7,7 @@
 namespace millwear::orchestrator {
 namespace {
 
-/// 4,100 particles up to 50 mm, a skin of 10 mm: contacts reach 60 mm in a slice of 0.2 m.
+/// 4,100 particles up to 50 mm in a slice of 0.2 m.
 Case recorded_case() {
   Case mill = example_case();
   mill.dem.contact_path = ContactPath::recorder;
@@ -17,16 +17,16 @@ Case recorded_case() {
 TEST(RankCost, OfOneRankHasThePeriodicImagesAlone) {
   const RankCost cost = rank_cost(recorded_case(), 1);
   EXPECT_EQ(cost.particles, 4100.0);
-  EXPECT_DOUBLE_EQ(cost.ghosts, 2.0 * 0.06 / 0.2);
+  EXPECT_DOUBLE_EQ(cost.ghosts, 2.0 * 0.05 / 0.2);
   EXPECT_EQ(cost.imbalance, 1.0);
 }
 
-// Two columns of a charge 0.8 m wide, each with one cut.
+// Two columns of a charge 0.7 m wide, with one cut between them.
 TEST(RankCost, OfTwoRanksHasTheCutBesides) {
   const RankCost cost = rank_cost(recorded_case(), 2);
   EXPECT_EQ(cost.columns, 2);
   EXPECT_EQ(cost.slabs, 1);
-  EXPECT_DOUBLE_EQ(cost.ghosts, 1.6 * (1.0 + 2.0 * 0.06 / 0.8) - 1.0);
+  EXPECT_DOUBLE_EQ(cost.ghosts, 1.5 * (1.0 + 2.0 * 0.05 / 0.7) - 1.0);
 }
 
 TEST(RankCost, FallsWithTheRanksAndItsCoreTimeRises) {

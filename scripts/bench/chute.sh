@@ -42,7 +42,7 @@ if [ ! -e "$folder/bed.restart" ]; then
     echo "region filled block 0 0.4 0 0.2 0.005 0.405 units box"
     echo "create_atoms 1 region filled"
     echo "set group all diameter 0.0098 density 2500"
-    echo "velocity all create 1e17 4711 dist gaussian"
+    echo "displace_atoms all random 0.0001 0.0001 0.0001 15485863"
     models
     echo "fix gravity all gravity 9.81 chute 26.0"
     echo "thermo 2000"

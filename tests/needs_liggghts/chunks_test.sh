@@ -24,7 +24,10 @@ wait $campaign 2>/dev/null || true
 first=$(ls -i killed/cycle_000/.dem.chunk_0/charge.restart | cut -d' ' -f1)
 "$program" run case.toml --out killed --until 0:dem --quiet >/dev/null &
 campaign=$!
-until [ -e killed/cycle_000/.dem.chunk_1.partial/liggghts.log ]; do sleep 0.02; done
+until [ -e killed/cycle_000/.dem.chunk_1.partial/liggghts.log ]; do
+  kill -0 $campaign 2>/dev/null || fail "the campaign did not go on with its second chunk"
+  sleep 0.02
+done
 again=$(ls -i killed/cycle_000/.dem.chunk_0/charge.restart | cut -d' ' -f1)
 [ "$first" = "$again" ] || fail "the first chunk was simulated again"
 wait $campaign

@@ -78,11 +78,10 @@ std::string drift(const Case& mill) {
 }
 
 std::string rank_grid(const Case& mill, int ranks) {
-  if (rank_split(mill, ranks) == RankSplit::balanced) {
-    const int columns = rank_columns(mill, ranks);
+  const int columns = rank_columns(mill, ranks);
+  if (rank_split(mill, ranks) == RankSplit::balanced)
     return fmt::format("{} {} 1", columns, ranks / columns);
-  }
-  return rank_split(mill, ranks) == RankSplit::charge ? "2 * 1" : "1 * 1";
+  return fmt::format("{} * 1", columns);
 }
 
 /// Balanced columns are cut before every run: for the packed charge, and for the turning one.
@@ -119,6 +118,8 @@ RankSplit rank_split(const Case& mill, int ranks) {
 }
 
 int rank_columns(const Case& mill, int ranks) {
+  const RankSplit split = rank_split(mill, ranks);
+  if (split != RankSplit::balanced) return split == RankSplit::charge ? 2 : 1;
   const double width = 2.0 * mill.liner.sector.plate_radius;
   const auto surface = [&](int columns) {
     return columns / width + static_cast<double>(ranks) / columns / mill.slice_length;

@@ -33,9 +33,9 @@ inline constexpr const char* torque = "torque.txt";
 /// the box of `charge_data_file` is cut; an odd number along the axis unless it is `balanced`.
 [[nodiscard]] RankSplit rank_split(const Case& mill, int ranks);
 
-/// With RankSplit::balanced: how many columns across the mill the ranks make, each cut along the
-/// axis. Of the divisors of `ranks` the one with the least surface between ranks, for a charge as
-/// wide as the mill.
+/// How many columns across the mill the ranks make, each cut along the axis: two with
+/// RankSplit::charge, one with `axis`; `balanced`, of the divisors of `ranks` the one with the
+/// least surface between ranks, for a charge as wide as the mill.
 [[nodiscard]] int rank_columns(const Case& mill, int ranks);
 
 /// What the recorder is told of the columns: their number, or none where the cuts are LIGGGHTS's.

@@ -34,11 +34,9 @@ double particle_seconds(double particles) {
 }  // namespace
 
 RankCost rank_cost(const Case& mill, int ranks) {
-  const RankSplit split = liggghts::rank_split(mill, ranks);
   RankCost cost{};
   cost.ranks = ranks;
-  cost.columns = split == RankSplit::balanced ? liggghts::rank_columns(mill, ranks)
-                                              : (split == RankSplit::charge ? 2 : 1);
+  cost.columns = liggghts::rank_columns(mill, ranks);
   cost.slabs = ranks / cost.columns;
   const double reach = largest_diameter(mill);
   const double width = charge_width * 2.0 * mill.liner.sector.plate_radius;

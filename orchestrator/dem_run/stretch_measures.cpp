@@ -11,7 +11,6 @@
 #include "mill/base/whole_file.h"
 #include "wear/numerics/block_means.h"
 #include "wear/rate/load_rate.h"
-#include "wear/rate/smoothing_error.h"
 #include "wear/record/load_accumulator.h"
 
 namespace millwear::orchestrator {
@@ -54,11 +53,9 @@ Measured stretch_measures(const Case& mill, const LinerProfile& dem_liner,
   measured.samples = steps.samples();
   measured.rejected_share = wear::rejected_share(record.load);
   measured.revolutions = steps.measure_time() * mill.speed / (2.0 * std::numbers::pi);
-  measured.peak_error = record.goal
-                            ? record.goal->peak_error
-                            : wear::peak_error(wear::rate_of_load(mill.wear, mill.charge.classes,
-                                                                  dem_liner, record.load)
-                                                   .smoothed);
+  measured.peak_error = record.goal ? record.goal->peak_error
+                                    : wear::peak_error_of_load(mill.wear, mill.charge.classes,
+                                                               dem_liner, record.load);
   if (record.goal) measured.target_error = record.goal->target_error;
   return measured;
 }

@@ -16,7 +16,6 @@
 #include "orchestrator/stretch/stretch_checks.h"
 #include "orchestrator/stretch/stretch_decks.h"
 #include "wear/rate/load_rate.h"
-#include "wear/rate/smoothing_error.h"
 #include "wear/record/collision_store.h"
 #include "wear/record/load_read.h"
 #include "wear/record/load_write.h"
@@ -119,7 +118,7 @@ std::optional<wear::MeasurementGoal> goal_of(const Case& mill, const LinerProfil
   if (!mill.dem.error_target) return std::nullopt;
   return wear::MeasurementGoal{
       mill.dem.error_target->relative_error,
-      wear::peak_error(wear::rate_of_load(mill.wear, mill.charge.classes, liner, load).smoothed)};
+      wear::peak_error_of_load(mill.wear, mill.charge.classes, liner, load)};
 }
 
 bool goes_on(const std::optional<wear::MeasurementGoal>& goal, const StretchSteps& stretch,

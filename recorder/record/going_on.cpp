@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "wear/rate/load_rate.h"
-#include "wear/rate/smoothing_error.h"
 
 namespace millwear::recorder {
 namespace {
@@ -26,8 +25,7 @@ NextPiece next_piece(const Case& mill, const RecordingPlan& plan, const LinerPro
                      const WallLoad& load) {
   const auto& going_on = *plan.going_on;
   const wear::MeasurementGoal goal{
-      going_on.target_error,
-      wear::peak_error(wear::rate_of_load(mill.wear, mill.charge.classes, liner, load).smoothed)};
+      going_on.target_error, wear::peak_error_of_load(mill.wear, mill.charge.classes, liner, load)};
   if (wear::is_reached(goal) || plan.last_step + going_on.by_steps > going_on.at_most)
     return {goal, 0, plan.last_step};
   return {goal, going_on.by_steps, expected_step(plan, goal)};

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "wear/numerics/block_persistence.h"
+#include "wear/rate/smoothing_error.h"
 #include "wear/rate/wear_law.h"
 #include "wear/record/load_accumulator.h"
 
@@ -51,6 +52,11 @@ LoadRate rate_of_load(const WearSettings& settings, const std::vector<ParticleCl
   return {load,     raw.array() + corrosion, by_block.array() + corrosion,
           how,      std::move(smooth),       balls,
           corrosion};
+}
+
+double peak_error_of_load(const WearSettings& settings, const std::vector<ParticleClass>& classes,
+                          const LinerProfile& liner, const WallLoad& recorded) {
+  return peak_error(rate_of_load(settings, classes, liner, recorded).smoothed);
 }
 
 }  // namespace millwear::wear

@@ -37,4 +37,10 @@ struct LoadRate {
                                     const std::vector<ParticleClass>& classes,
                                     const LinerProfile& liner, const WallLoad& recorded);
 
+/// How well a recorded load knows its rate at the peaks: `peak_error` of `rate_of_load`. Throws as
+/// that does.
+[[nodiscard]] double peak_error_of_load(const WearSettings& settings,
+                                        const std::vector<ParticleClass>& classes,
+                                        const LinerProfile& liner, const WallLoad& recorded);
+
 }  // namespace millwear::wear

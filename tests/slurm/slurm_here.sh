@@ -45,8 +45,17 @@ CONF
   done
 }
 
+# Returns when both daemons have ended: until then they write their state into the folder.
 stop_slurm() {
-  for daemon in slurmctld slurmd; do
-    [ ! -s "$slurm/$daemon.pid" ] || kill "$(cat "$slurm/$daemon.pid")" 2>/dev/null || true
+  for daemon in slurmd slurmctld; do
+    [ -s "$slurm/$daemon.pid" ] || continue
+    process=$(cat "$slurm/$daemon.pid")
+    kill "$process" 2>/dev/null || continue
+    tries=0
+    while kill -0 "$process" 2>/dev/null; do
+      tries=$((tries + 1))
+      [ $tries -lt 300 ] || { kill -KILL "$process" 2>/dev/null || true; break; }
+      sleep 0.1
+    done
   done
 }

@@ -56,11 +56,12 @@ sanitize: ## Unit tests under address and undefined-behaviour sanitizers; no two
 	@cmake --build --preset sanitize --target one_definition unit_tests
 	@scripts/run_sanitized_tests.sh build/sanitize/tests/unit
 
-coverage: ## Predicted errors against the scatter of the pilot mill's kept campaigns
+coverage: ## Predicted errors against the scatter of kept campaigns of the pilot mill and the 8 m mill
 	@cmake --preset ci >/dev/null
 	@cmake --build --preset ci --target coverage_table coverage_test
 	@build/ci/tests/coverage/coverage_test --gtest_brief=1
-	@build/ci/tests/coverage/coverage_table cases/pilot_mill/coverage
+	@for mill in pilot_mill $(SEED); do \
+	  echo "$$mill"; build/ci/tests/coverage/coverage_table cases/$$mill/coverage || exit; done
 
 bench: ## Time the contact reader, a geometry step, publishing and a study of 10,000 points
 	@cmake --preset release -DMILLWEAR_TESTS=ON >/dev/null

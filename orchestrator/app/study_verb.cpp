@@ -153,6 +153,7 @@ std::vector<std::string> study_words(const StudyOptions& options, const StudyFol
     words.insert(words.end(), {"--replicates", std::to_string(*options.replicates)});
   if (options.objective) words.insert(words.end(), {"--objective", *options.objective});
   if (options.charge_from_base) words.push_back("--charge-from-base");
+  words.insert(words.end(), {"--most-points", std::to_string(options.most_points)});
   if (options.retry_failed) words.push_back("--retry-failed");
   if (options.scratch) words.insert(words.end(), {"--scratch", options.scratch->string()});
   return words;
@@ -165,11 +166,12 @@ void submit_plan(const StudyOptions& options, const StudyFolder& folder, const S
     keep_plan(folder, plan, folders);
     link_by_value(folder, plan, folders);
   }
-  const SlurmSettings settings =
+  SlurmSettings settings =
       options.axes.empty() ? slurm_settings_of(plan.study.file) : SlurmSettings{};
+  if (options.bundle) settings.bundle = *options.bundle;
   const auto submitted = submit_study({plan, folder, folders, states_of(folder, folders),
                                        study_words(options, folder), share.ranks},
-                                      submission_from(options.slurm, settings));
+                                      submission_from(options.slurm, std::move(settings)));
   if (options.slurm.test) return;
   if (submitted.campaigns == 0)
     fmt::print("nothing to submit: every campaign is done, failed or in the queue\n");
@@ -277,6 +279,10 @@ void add_options(CLI::App& verb, StudyOptions& options) {
   verb.add_flag("--gather", options.gather,
                 "Write tables and page of what there is, and run nothing");
   add_options(verb, options.slurm);
+  verb.add_option("--bundle", options.bundle,
+                  "Campaigns that one task of Slurm runs, one after the other; by default the "
+                  "study file's, or one")
+      ->check(CLI::Range(1, 100000));
 }
 
 void study_verb(const StudyOptions& options) {

@@ -25,6 +25,7 @@ struct StudyOptions {
   bool dry_run = false;
   bool explain = false;
   SlurmOptions slurm;
+  std::optional<int> bundle;      ///< campaigns of a task
   std::vector<std::string> only;  ///< names of folders: run these campaigns and gather nothing
   bool only_charge = false;       ///< mix the base case's charge and no more
   std::optional<std::filesystem::path> scratch;  ///< as `millwear run` takes it

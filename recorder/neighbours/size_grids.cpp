@@ -81,8 +81,8 @@ SizeGrids::Grid SizeGrids::grid_of(const std::vector<int>& members) const {
 }
 
 template <class Take>
-void SizeGrids::for_each_entry(const Grid& grid, const Place& low, const Place& high,
-                               const Place& far, Take take) {
+void SizeGrids::for_each_row(const Grid& grid, const Place& low, const Place& high,
+                             const Place& far, Take take) {
   std::array<int, 3> from, to;
   for (int axis = 0; axis < 3; ++axis) {
     const double begin = low[axis] - far[axis];
@@ -95,8 +95,9 @@ void SizeGrids::for_each_entry(const Grid& grid, const Place& low, const Place& 
   for (int k = from[2]; k <= to[2]; ++k)
     for (int j = from[1]; j <= to[1]; ++j) {
       const int row = (k * grid.cells[1] + j) * grid.cells[0];
+      const int begin = grid.first[row + from[0]];
       const int end = grid.first[row + to[0] + 1];
-      for (int e = grid.first[row + from[0]]; e < end; ++e) take(grid.entries[e]);
+      take(std::span(grid.entries).subspan(begin, end - begin));
     }
 }
 
@@ -104,23 +105,32 @@ void SizeGrids::add_later_neighbours(int sphere, std::vector<int>& neighbours) c
   const double* const centre = spheres_.centres[sphere];
   const Place x = {centre[0], centre[1], centre[2]};
   const double radius = spheres_.radii[sphere];
+  std::size_t count = neighbours.size();
   for (const auto& grid : grids_) {
     const double far = (radius + grid.largest_radius) * reach_.stretch + reach_.skin;
-    for_each_entry(grid, x, x, {far, far, far}, [&](const Entry& other) {
-      if (other.number <= sphere) return;
-      const double dx = x[0] - other.x, dy = x[1] - other.y, dz = x[2] - other.z;
-      const double near = (radius + other.radius) * reach_.stretch + reach_.skin;
-      if (dx * dx + dy * dy + dz * dz <= near * near) neighbours.push_back(other.number);
+    for_each_row(grid, x, x, {far, far, far}, [&](std::span<const Entry> row) {
+      if (neighbours.size() < count + row.size()) neighbours.resize(2 * (count + row.size()));
+      // Written first and counted if near: which one is near no processor foresees.
+      for (const auto& other : row) {
+        const double dx = x[0] - other.x, dy = x[1] - other.y, dz = x[2] - other.z;
+        const double near = (radius + other.radius) * reach_.stretch + reach_.skin;
+        neighbours[count] = other.number;
+        count += static_cast<std::size_t>(other.number > sphere) &
+                 static_cast<std::size_t>(dx * dx + dy * dy + dz * dz <= near * near);
+      }
     });
   }
+  neighbours.resize(count);
 }
 
 void SizeGrids::add_spheres_near(const Place& low, const Place& high, const Place& growth,
                                  std::vector<int>& spheres) const {
   for (const auto& grid : grids_) {
     const double reach = grid.largest_radius * reach_.stretch + reach_.skin;
-    for_each_entry(grid, low, high, {growth[0] * reach, growth[1] * reach, growth[2] * reach},
-                   [&](const Entry& entry) { spheres.push_back(entry.number); });
+    for_each_row(grid, low, high, {growth[0] * reach, growth[1] * reach, growth[2] * reach},
+                 [&](std::span<const Entry> row) {
+                   for (const auto& entry : row) spheres.push_back(entry.number);
+                 });
   }
 }
 

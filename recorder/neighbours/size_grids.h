@@ -53,10 +53,11 @@ class SizeGrids {
 
   [[nodiscard]] Grid grid_of(const std::vector<int>& members) const;
 
-  /// Hands every entry to `take` whose cell is within `far` of the box, axis by axis.
+  /// Hands every entry to `take` whose cell is within `far` of the box, axis by axis, in rows that
+  /// lie in one piece.
   template <class Take>
-  static void for_each_entry(const Grid& grid, const Place& low, const Place& high,
-                             const Place& far, Take take);
+  static void for_each_row(const Grid& grid, const Place& low, const Place& high, const Place& far,
+                           Take take);
 
   Spheres spheres_;
   NeighbourReach reach_;

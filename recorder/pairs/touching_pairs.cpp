@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -24,6 +23,7 @@
 #include <vector>
 
 #include "recorder/liggghts/private_member.h"
+#include "recorder/pairs/hertz_contacts.h"
 
 namespace millwear::recorder {
 
@@ -44,36 +44,35 @@ namespace {
 using namespace LIGGGHTS::ContactModels;
 using LAMMPS_NS::PairGran;
 
-/// A second model beside LIGGGHTS's own has its values in the same places of a contact's history.
-class PlacesInHistory : public LIGGGHTS::IContactHistorySetup {
- public:
-  int add_history_value(std::string /*name*/, std::string /*newtonflag*/) override {
-    return next_++;
-  }
-
- private:
-  int next_ = 0;
-};
-
-std::array<double, 6> force_and_torque(const ForceData& on_particle) {
-  const auto& f = on_particle.delta_F;
-  const auto& t = on_particle.delta_torque;
-  return {f[0], f[1], f[2], t[0], t[1], t[2]};
-}
-
-double square(const std::array<double, 3>& v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; }
-
-void add(double factor, const ForceData& forces, double* force, double* torque) {
-  for (int k = 0; k < 3; ++k) {
-    force[k] += factor * forces.delta_F[k];
-    torque[k] += factor * forces.delta_torque[k];
-  }
-}
-
 /// LIGGGHTS keeps a vector of all particles in one piece: where particle i's begins, without a look
 /// at its table of pointers, which is memory of its own.
 double* of_particle(double** vectors, int i) {
   return *vectors + 3 * static_cast<std::ptrdiff_t>(i);
+}
+
+/// What the materials of two particles make of their contact; see Contacts.
+struct ContactCoefficients {
+  double effective_young, effective_shear, damping, sliding_friction, rolling_friction;
+};
+
+/// The coefficients of all pairs of types, which LIGGGHTS numbers from 1, as it works them out from
+/// the deck's materials.
+std::vector<std::vector<ContactCoefficients>> coefficients_of_types(PropertyRegistry& registry,
+                                                                    int types) {
+  const auto table = [&](const char* name) {
+    return registry.getMatrixProperty(name, "millwear-recorder")->data;
+  };
+  const auto* const* young = table("Yeff");
+  const auto* const* shear = table("Geff");
+  const auto* const* damping = table("betaeff");
+  const auto* const* sliding = table("coeffFrict");
+  const auto* const* rolling = table("coeffRollFrict");
+  const auto count = static_cast<std::size_t>(types) + 1;
+  std::vector coefficients(count, std::vector<ContactCoefficients>(count));
+  for (std::size_t a = 1; a < count; ++a)
+    for (std::size_t b = 1; b < count; ++b)
+      coefficients[a][b] = {young[a][b], shear[a][b], damping[a][b], sliding[a][b], rolling[a][b]};
+  return coefficients;
 }
 
 /// A neighbour that touches.
@@ -83,15 +82,13 @@ struct Touching {
   int place;  ///< of the other in the particle's list
 };
 
-constexpr std::size_t contacts_ahead = 6;  // of the forces, for memory to keep up
+constexpr std::size_t contacts_ahead = 24;  // of the one gathered, for memory to keep up
 
-template <class Style>
+template <RollingFriction rolling>
 class TouchingPairs final : private LAMMPS_NS::Pointers, public PairStyle {
  public:
   TouchingPairs(LAMMPS_NS::LAMMPS* liggghts, PairGran* pair, std::int64_t model)
-      : Pointers(liggghts),
-        whole_(make_whole(liggghts, pair, model)),
-        model_(liggghts, &places_, false, model) {}
+      : Pointers(liggghts), whole_(make_whole(liggghts, pair, model)) {}
 
   static PairStyle* make(LAMMPS_NS::LAMMPS* liggghts, PairGran* pair, std::int64_t model) {
     return new TouchingPairs(liggghts, pair, model);
@@ -100,15 +97,11 @@ class TouchingPairs final : private LAMMPS_NS::Pointers, public PairStyle {
   void settings(int count, char** options, LIGGGHTS::IContactHistorySetup* history) override {
     whole_->settings(count, options, history);
     takes_over_ = count == 0;
-    if (!takes_over_) return;
-    Settings defaults(lmp);
-    model_.registerSettings(defaults);
-    model_.postSettings(&places_);
   }
 
   void init_granular() override {
     whole_->init_granular();
-    if (takes_over_) model_.connectToProperties(force->registry);
+    if (takes_over_) coefficients_ = coefficients_of_types(force->registry, atom->ntypes);
   }
 
   void compute_force(PairGran* pair, int energy, int virial, int add_to_compute) override {
@@ -134,38 +127,38 @@ class TouchingPairs final : private LAMMPS_NS::Pointers, public PairStyle {
   inline static MakeStyle make_whole = nullptr;  ///< LIGGGHTS's own loop with the same models
 
  private:
+  static constexpr int flags = CONTACT_NORMAL_MODEL | CONTACT_TANGENTIAL_MODEL |
+                               (rolling == RollingFriction::spring ? CONTACT_ROLLING_MODEL : 0);
+
   /// Whether a step needs anything that only LIGGGHTS's own loop does.
   bool asks_for_more(PairGran& pair) {
     return !pair.computeflag() || pair.fr_pair() || pair.storeContactForcesStress() ||
            pair.storeSumDelta() || pair.store_sum_normal_force() || !pair.listgranhistory ||
            !atom->rmass || !atom->sphere_flag || force->newton_pair ||
-           neighbor->contactDistanceFactor > 1 ||
+           neighbor->contactDistanceFactor > 1 || force->nktv2p != 1.0 ||
            modify->n_fixes_style("insert/stream/predefined") > 0;
   }
 
-  [[gnu::flatten]] void add_forces(PairGran& pair) {
+  /// Batch by batch: what the contacts need is gathered, all of them are evaluated at once, and
+  /// their forces are added in LIGGGHTS's order.
+  void add_forces(PairGran& pair) {
     const bool keeps_forces =
         pair.storeContactForces() && update->ntimestep % pair.storeContactForcesEvery() == 0;
-    SurfacesIntersectData contact;
-    contact.computeflag = pair.computeflag();
-    contact.shearupdate = pair.shearupdate();
-    ForceData none;
-    model_.beginPass(contact, none, none);
+    const Springs springs = pair.shearupdate() ? Springs::advance : Springs::stay;
     find_touching(*pair.list);
-    for (std::size_t n = 0; n < touching_.size(); ++n) {
-      if (n + contacts_ahead < touching_.size()) fetch(pair, touching_[n + contacts_ahead]);
-      describe(contact, pair, touching_[n]);
-      ForceData on_i, on_j;
-      model_.surfacesIntersect(contact, on_i, on_j);
-      model_.endSurfacesIntersect(contact, nullptr, on_i, on_j);
-      const int i = contact.i;
-      const int j = contact.j;
-      add(pair.relax(i), on_i, of_particle(atom->f, i), of_particle(atom->torque, i));
-      if (j < atom->nlocal)
-        add(pair.relax(j), on_j, of_particle(atom->f, j), of_particle(atom->torque, j));
-      if (keeps_forces) keep(*pair.fix_contact_forces(), i, j, on_i, on_j);
+    for (std::size_t begin = 0; begin < touching_.size(); begin += Contacts::count) {
+      const std::size_t count = std::min(Contacts::count, touching_.size() - begin);
+      for (std::size_t n = 0; n < count; ++n) {
+        if (begin + n + contacts_ahead < touching_.size())
+          fetch(pair, touching_[begin + n + contacts_ahead]);
+        describe(pair, touching_[begin + n], n);
+      }
+      find_hertz_forces(contacts_, rolling, update->dt, springs);
+      for (std::size_t n = 0; n < count; ++n) {
+        apply(pair, touching_[begin + n], n);
+        if (keeps_forces) keep(*pair.fix_contact_forces(), touching_[begin + n], n);
+      }
     }
-    model_.endPass(contact, none, none);
     if (pair.storeContactForces()) pair.fix_contact_forces()->do_forward_comm();
   }
 
@@ -181,7 +174,7 @@ class TouchingPairs final : private LAMMPS_NS::Pointers, public PairStyle {
         const int j = list.firstneigh[i][n] & NEIGHMASK;
         touching_[count] = {i, j, n};
         const double reach = atom->radius[i] + atom->radius[j];
-        count += square(between(i, j)) < reach * reach ? 1 : 0;
+        count += square_of_distance(i, j) < reach * reach ? 1 : 0;
       }
     }
     touching_.resize(count);
@@ -202,77 +195,104 @@ class TouchingPairs final : private LAMMPS_NS::Pointers, public PairStyle {
     return &pair.listgranhistory->firstdouble[touching.particle][pair.dnum() * touching.place];
   }
 
-  /// From the centre of particle j to that of i [m].
-  [[nodiscard]] std::array<double, 3> between(int i, int j) const {
+  [[nodiscard]] double square_of_distance(int i, int j) const {
     const double* const a = of_particle(atom->x, i);
     const double* const b = of_particle(atom->x, j);
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+    const double x = a[0] - b[0];
+    const double y = a[1] - b[1];
+    const double z = a[2] - b[2];
+    return x * x + y * y + z * z;
   }
 
-  void describe(SurfacesIntersectData& contact, PairGran& pair, const Touching& touching) const {
+  void describe(PairGran& pair, const Touching& touching, std::size_t n) {
     const int i = touching.particle;
     const int j = touching.other;
-    const auto delta = between(i, j);
-    std::ranges::copy(delta, contact.delta);
-    contact.rsq = square(delta);
-    contact.radsum = atom->radius[i] + atom->radius[j];
-    contact.contact_flags = &pair.listgranhistory->firstneigh[i][touching.place];
-    contact.contact_history = history(pair, touching);
-    contact.i = i;
-    contact.j = j;
-    contact.itype = atom->type[i];
-    contact.jtype = atom->type[j];
-    contact.radi = atom->radius[i];
-    contact.radj = atom->radius[j];
-    contact.v_i = of_particle(atom->v, i);
-    contact.v_j = of_particle(atom->v, j);
-    contact.omega_i = of_particle(atom->omega, i);
-    contact.omega_j = of_particle(atom->omega, j);
-    contact.r = std::sqrt(contact.rsq);
-    contact.rinv = 1.0 / contact.r;
-    for (int k = 0; k < 3; ++k) contact.en[k] = contact.delta[k] * contact.rinv;
-    contact.mi = atom->rmass[i];
-    contact.mj = atom->rmass[j];
-    contact.meff = contact.mi * contact.mj / (contact.mi + contact.mj);
-    if (atom->mask[i] & pair.freeze_group_bit()) contact.meff = contact.mj;
-    if (atom->mask[j] & pair.freeze_group_bit()) contact.meff = contact.mi;
+    const double mass_i = atom->rmass[i];
+    const double mass_j = atom->rmass[j];
+    contacts_.reduced_mass[n] = mass_i * mass_j / (mass_i + mass_j);
+    if (atom->mask[i] & pair.freeze_group_bit()) contacts_.reduced_mass[n] = mass_j;
+    if (atom->mask[j] & pair.freeze_group_bit()) contacts_.reduced_mass[n] = mass_i;
+    contacts_.radius[0][n] = atom->radius[i];
+    contacts_.radius[1][n] = atom->radius[j];
+    const auto& of_types = coefficients_[static_cast<std::size_t>(atom->type[i])]
+                                        [static_cast<std::size_t>(atom->type[j])];
+    contacts_.effective_young[n] = of_types.effective_young;
+    contacts_.effective_shear[n] = of_types.effective_shear;
+    contacts_.damping[n] = of_types.damping;
+    contacts_.sliding_friction[n] = of_types.sliding_friction;
+    contacts_.rolling_friction[n] = of_types.rolling_friction;
+    const double* const spring = history(pair, touching);
+    for (std::size_t k = 0; k < 3; ++k) {
+      contacts_.apart[k][n] = of_particle(atom->x, i)[k] - of_particle(atom->x, j)[k];
+      contacts_.approach[k][n] = of_particle(atom->v, i)[k] - of_particle(atom->v, j)[k];
+      contacts_.spin[0][k][n] = of_particle(atom->omega, i)[k];
+      contacts_.spin[1][k][n] = of_particle(atom->omega, j)[k];
+      contacts_.spring[k][n] = spring[k];
+      if (rolling == RollingFriction::spring) contacts_.rolling_spring[k][n] = spring[3 + k];
+    }
+  }
+
+  void apply(PairGran& pair, const Touching& touching, std::size_t n) {
+    const int i = touching.particle;
+    const int j = touching.other;
+    pair.listgranhistory->firstneigh[i][touching.place] |= flags;
+    double* const spring = history(pair, touching);
+    for (std::size_t k = 0; k < 3; ++k) {
+      spring[k] = contacts_.spring[k][n];
+      if (rolling == RollingFriction::spring) spring[3 + k] = contacts_.rolling_spring[k][n];
+      of_particle(atom->f, i)[k] += pair.relax(i) * contacts_.force[k][n];
+      of_particle(atom->torque, i)[k] += pair.relax(i) * contacts_.torque[0][k][n];
+    }
+    if (j >= atom->nlocal) return;
+    for (std::size_t k = 0; k < 3; ++k) {
+      of_particle(atom->f, j)[k] -= pair.relax(j) * contacts_.force[k][n];
+      of_particle(atom->torque, j)[k] += pair.relax(j) * contacts_.torque[1][k][n];
+    }
   }
 
   /// A contact across an edge of the rank is met from both sides; the first to come is kept.
-  void keep(LAMMPS_NS::FixContactPropertyAtom& kept, int i, int j, const ForceData& on_i,
-            const ForceData& on_j) const {
-    if (kept.has_partner(i, atom->tag[j]) == -1)
-      kept.add_partner(i, atom->tag[j], force_and_torque(on_i).data());
-    if (kept.has_partner(j, atom->tag[i]) == -1)
-      kept.add_partner(j, atom->tag[i], force_and_torque(on_j).data());
+  void keep(LAMMPS_NS::FixContactPropertyAtom& kept, const Touching& touching,
+            std::size_t n) const {
+    const auto add_once = [&](int a, int b, double sign, const Contacts::Vectors& torque) {
+      if (kept.has_partner(a, atom->tag[b]) != -1) return;
+      std::array<double, 6> values;
+      for (std::size_t k = 0; k < 3; ++k) {
+        values[k] = sign * contacts_.force[k][n];
+        values[3 + k] = torque[k][n];
+      }
+      kept.add_partner(a, atom->tag[b], values.data());
+    };
+    add_once(touching.particle, touching.other, 1.0, contacts_.torque[0]);
+    add_once(touching.other, touching.particle, -1.0, contacts_.torque[1]);
   }
 
   std::unique_ptr<PairStyle> whole_;
-  PlacesInHistory places_;
-  ContactModel<Style> model_;
+  std::vector<std::vector<ContactCoefficients>> coefficients_;
   std::vector<Touching> touching_;
+  Contacts contacts_{};
   bool takes_over_ = false;  ///< where the deck gives the models no options
 };
 
-template <int rolling>
+template <RollingFriction rolling>
 void replace_loop(StyleMakers::Table& makers) {
-  using Style = GranStyle<HERTZ, TANGENTIAL_HISTORY, COHESION_OFF, rolling, SURFACE_DEFAULT>;
+  constexpr int friction = rolling == RollingFriction::spring ? ROLLING_EPSD2 : ROLLING_CDT;
+  using Style = GranStyle<HERTZ, TANGENTIAL_HISTORY, COHESION_OFF, friction, SURFACE_DEFAULT>;
   // LIGGGHTS has one loop for all models that its build does not list.
   const auto listed = makers.find({"gran", static_cast<int>(Style::HASHCODE)});
   const auto make = listed != makers.end()
                         ? listed->second
                         : makers.at({"gran", static_cast<int>(GranStyle<>::HASHCODE)});
-  if (make == TouchingPairs<Style>::make) return;
-  TouchingPairs<Style>::make_whole = make;
-  makers[{"gran", static_cast<int>(Style::HASHCODE)}] = TouchingPairs<Style>::make;
+  if (make == TouchingPairs<rolling>::make) return;
+  TouchingPairs<rolling>::make_whole = make;
+  makers[{"gran", static_cast<int>(Style::HASHCODE)}] = TouchingPairs<rolling>::make;
 }
 
 }  // namespace
 
 void compute_only_touching_pairs(LAMMPS_NS::LAMMPS& /*liggghts: its start filled the table*/) {
   auto& makers = Factory::instance().*member(StyleMakers{});
-  replace_loop<ROLLING_CDT>(makers);
-  replace_loop<ROLLING_EPSD2>(makers);
+  replace_loop<RollingFriction::constant_torque>(makers);
+  replace_loop<RollingFriction::spring>(makers);
 }
 
 }  // namespace millwear::recorder

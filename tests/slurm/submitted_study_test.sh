@@ -43,6 +43,8 @@ STUDY
 cd "$work"
 "$program" study study.toml --slurm-dry-run >dry_run
 grep -q '^#SBATCH --partition=all$' dry_run && grep -q 'to start at' dry_run || { cat dry_run; exit 1; }
+"$program" study study.toml --most-points 5000 --slurm-dry-run | grep -q -- '--most-points 5000' ||
+  fail "a task would refuse the points that the study was submitted with"
 [ ! -e studies ] || fail "a dry run left a folder"
 "$program" study study.toml --out local --jobs 2 --quiet >/dev/null &
 local_study=$!

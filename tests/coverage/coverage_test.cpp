@@ -94,7 +94,8 @@ class KeptCampaigns : public testing::TestWithParam<Kept> {
 };
 INSTANTIATE_TEST_SUITE_P(Mills, KeptCampaigns,
                          testing::Values(Kept{"pilot_mill", 16, 1e-6},
-                                         Kept{"seed_mill_8m_desktop", 4, 2e-5}));
+                                         Kept{"seed_mill_8m_desktop", 4, 2e-5}),
+                         [](const auto& kept) { return kept.param.folder; });
 
 // A liner under balls levels: a whole life long it becomes no rougher than it was.
 TEST_P(KeptCampaigns, GrowNeitherFoldsNorPits) {

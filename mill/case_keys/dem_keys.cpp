@@ -42,6 +42,15 @@ void sample_for_contact_path(Dem& dem) {
   if (dem.contact_path == ContactPath::dumps) dem.sample_every_steps = steps_between_dumps;
 }
 
+/// A row whose default depends on `charge_from`, so that the locked copy names it beside one.
+KeyRow<Dem> locked_beside_a_charge(const KeyRow<Dem>& row) {
+  KeyRow<Dem> locked = locked_unless_default(row);
+  locked.written = [always = row.written, otherwise = locked.written](const Dem& dem) {
+    return dem.charge_from ? always(dem) : otherwise(dem);
+  };
+  return locked;
+}
+
 }  // namespace
 
 const std::vector<KeyRow<DemSettings>>& dem_keys() {
@@ -61,7 +70,7 @@ const std::vector<KeyRow<DemSettings>>& dem_keys() {
               "rolling friction: constant torque, or elastic-plastic spring-dashpot"),
        defaulted("mix_revolutions", in(&Dem::mix_revolutions), at_least(0.0),
                  "revolutions before the first measurement; with `mix_until_steady` the most"),
-       locked_unless_default(defaulted(
+       locked_beside_a_charge(defaulted(
            "mix_until_steady", in(&Dem::mix_until_steady), any_value,
            "mixing ends as soon as torque and kinetic energy drift no longer (with `recorder`)")),
        defaulted("settle_pitches", in(&Dem::settle_pitches), between(0, 100000),

@@ -13,7 +13,6 @@ namespace millwear::orchestrator {
 namespace {
 
 constexpr double longest_factor = 4.0;
-constexpr std::size_t fewest_loads = 2;
 
 double relative_scatter(const Eigen::VectorXd& lives) {
   const double mean = lives.mean();
@@ -57,7 +56,7 @@ double revolutions_of_next_load(const Campaign& campaign, const Ledger& ledger) 
   const double least = mill.dem.measure_revolutions;
   if (!mill.campaign.target_life_error) return least;
   const auto loads = loads_of_cycles(campaign, ledger);
-  if (loads.size() < fewest_loads) return least;
+  if (loads.empty()) return least;
   const auto cycles = results_of_cycles(campaign, ledger, loads);
   double revolutions = 0.0;
   for (const CycleResults& cycle : cycles) revolutions += cycle.conservation.revolutions;

@@ -28,8 +28,8 @@ struct LifeErrorSoFar {
 [[nodiscard]] double length_ratio(const LifeErrorSoFar& so_far, double target);
 
 /// Revolutions over which the next load of a campaign is to be measured: from `measure_revolutions`
-/// to four times that. Without a target, and for the first two loads, which know too little of the
-/// life, the least.
+/// to four times that. Without a target, and for the first load, of which nothing is known yet, the
+/// least.
 [[nodiscard]] double revolutions_of_next_load(const Campaign& campaign, const Ledger& ledger);
 
 /// That the life is not known as well as the case wants, once it is reached.

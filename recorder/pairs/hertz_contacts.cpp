@@ -38,7 +38,7 @@ void set(Contacts::Vectors& vectors, std::size_t n, const Vector& value) {
 
 /// One contact. Without a branch, that several are evaluated at once: where there is a choice, both
 /// are worked out.
-template <RollingFriction rolling>
+template <RollingResistance rolling>
 [[gnu::always_inline]] inline void set_forces(Contacts& c, std::size_t n, double time_step,
                                               Springs springs) {
   const bool advance = springs == Springs::advance;
@@ -86,7 +86,7 @@ template <RollingFriction rolling>
 
   const Vector relative_spin = difference(spin_a, spin_b);
   Vector resistance;
-  if constexpr (rolling == RollingFriction::constant_torque) {
+  if constexpr (rolling == RollingResistance::constant_torque) {
     const double spin = length(relative_spin);
     const double most = c.rolling_friction[n] * stiffness * overlap * reduced_radius;
     resistance = tangential(times(spin > 0.0 ? most / spin : 0.0, relative_spin), normal);
@@ -118,21 +118,21 @@ MILLWEAR_EACH_VECTOR_UNIT
 void set_forces_with_constant_torque(Contacts& contacts, double time_step, Springs springs) {
 #pragma omp simd
   for (std::size_t n = 0; n < Contacts::count; ++n)
-    set_forces<RollingFriction::constant_torque>(contacts, n, time_step, springs);
+    set_forces<RollingResistance::constant_torque>(contacts, n, time_step, springs);
 }
 
 MILLWEAR_EACH_VECTOR_UNIT
 void set_forces_with_spring(Contacts& contacts, double time_step, Springs springs) {
 #pragma omp simd
   for (std::size_t n = 0; n < Contacts::count; ++n)
-    set_forces<RollingFriction::spring>(contacts, n, time_step, springs);
+    set_forces<RollingResistance::spring>(contacts, n, time_step, springs);
 }
 
 }  // namespace
 
-void find_hertz_forces(Contacts& contacts, RollingFriction rolling, double time_step,
+void find_hertz_forces(Contacts& contacts, RollingResistance rolling, double time_step,
                        Springs springs) {
-  if (rolling == RollingFriction::constant_torque)
+  if (rolling == RollingResistance::constant_torque)
     set_forces_with_constant_torque(contacts, time_step, springs);
   else
     set_forces_with_spring(contacts, time_step, springs);

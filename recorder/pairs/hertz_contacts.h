@@ -4,7 +4,7 @@
 
 namespace millwear::recorder {
 
-enum class RollingFriction { constant_torque, spring };  // LIGGGHTS's `cdt` and `epsd2`
+enum class RollingResistance { constant_torque, spring };  // LIGGGHTS's `cdt` and `epsd2`
 
 /// Whether the springs of contacts go on by a time step. In the step that sets up a run they stay.
 enum class Springs { advance, stay };
@@ -46,7 +46,7 @@ struct Contacts {
 /// is LIGGGHTS 3.8's `model hertz tangential history rolling_friction cdt|epsd2` operation by
 /// operation, so that all results have its bits. Source: LIGGGHTS's manual, gran_model_hertz,
 /// gran_tangential_history, gran_rolling_friction_cdt and _epsd2.
-void find_hertz_forces(Contacts& contacts, RollingFriction rolling, double time_step,
+void find_hertz_forces(Contacts& contacts, RollingResistance rolling, double time_step,
                        Springs springs);
 
 }  // namespace millwear::recorder

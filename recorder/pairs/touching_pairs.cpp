@@ -84,7 +84,7 @@ struct Touching {
 
 constexpr std::size_t contacts_ahead = 24;  // of the one gathered, for memory to keep up
 
-template <RollingFriction rolling>
+template <RollingResistance rolling>
 class TouchingPairs final : private LAMMPS_NS::Pointers, public PairStyle {
  public:
   TouchingPairs(LAMMPS_NS::LAMMPS* liggghts, PairGran* pair, std::int64_t model)
@@ -128,7 +128,7 @@ class TouchingPairs final : private LAMMPS_NS::Pointers, public PairStyle {
 
  private:
   static constexpr int flags = CONTACT_NORMAL_MODEL | CONTACT_TANGENTIAL_MODEL |
-                               (rolling == RollingFriction::spring ? CONTACT_ROLLING_MODEL : 0);
+                               (rolling == RollingResistance::spring ? CONTACT_ROLLING_MODEL : 0);
 
   /// Whether a step needs anything that only LIGGGHTS's own loop does.
   bool asks_for_more(PairGran& pair) {
@@ -228,7 +228,7 @@ class TouchingPairs final : private LAMMPS_NS::Pointers, public PairStyle {
       contacts_.spin[0][k][n] = of_particle(atom->omega, i)[k];
       contacts_.spin[1][k][n] = of_particle(atom->omega, j)[k];
       contacts_.spring[k][n] = spring[k];
-      if (rolling == RollingFriction::spring) contacts_.rolling_spring[k][n] = spring[3 + k];
+      if (rolling == RollingResistance::spring) contacts_.rolling_spring[k][n] = spring[3 + k];
     }
   }
 
@@ -239,7 +239,7 @@ class TouchingPairs final : private LAMMPS_NS::Pointers, public PairStyle {
     double* const spring = history(pair, touching);
     for (std::size_t k = 0; k < 3; ++k) {
       spring[k] = contacts_.spring[k][n];
-      if (rolling == RollingFriction::spring) spring[3 + k] = contacts_.rolling_spring[k][n];
+      if (rolling == RollingResistance::spring) spring[3 + k] = contacts_.rolling_spring[k][n];
       of_particle(atom->f, i)[k] += pair.relax(i) * contacts_.force[k][n];
       of_particle(atom->torque, i)[k] += pair.relax(i) * contacts_.torque[0][k][n];
     }
@@ -273,9 +273,9 @@ class TouchingPairs final : private LAMMPS_NS::Pointers, public PairStyle {
   bool takes_over_ = false;  ///< where the deck gives the models no options
 };
 
-template <RollingFriction rolling>
+template <RollingResistance rolling>
 void replace_loop(StyleMakers::Table& makers) {
-  constexpr int friction = rolling == RollingFriction::spring ? ROLLING_EPSD2 : ROLLING_CDT;
+  constexpr int friction = rolling == RollingResistance::spring ? ROLLING_EPSD2 : ROLLING_CDT;
   using Style = GranStyle<HERTZ, TANGENTIAL_HISTORY, COHESION_OFF, friction, SURFACE_DEFAULT>;
   // LIGGGHTS has one loop for all models that its build does not list.
   const auto listed = makers.find({"gran", static_cast<int>(Style::HASHCODE)});
@@ -291,8 +291,8 @@ void replace_loop(StyleMakers::Table& makers) {
 
 void compute_only_touching_pairs(LAMMPS_NS::LAMMPS& /*liggghts: its start filled the table*/) {
   auto& makers = Factory::instance().*member(StyleMakers{});
-  replace_loop<RollingFriction::constant_torque>(makers);
-  replace_loop<RollingFriction::spring>(makers);
+  replace_loop<RollingResistance::constant_torque>(makers);
+  replace_loop<RollingResistance::spring>(makers);
 }
 
 }  // namespace millwear::recorder

@@ -58,12 +58,12 @@ double elastic_force(double overlap) {
   return 4.0 / 3.0 * young * std::sqrt(reduced_radius) * std::pow(overlap, 1.5);
 }
 
-class BothRollingFrictions : public testing::TestWithParam<RollingFriction> {};
-INSTANTIATE_TEST_SUITE_P(HertzContacts, BothRollingFrictions,
-                         testing::Values(RollingFriction::constant_torque,
-                                         RollingFriction::spring));
+class BothRollingResistances : public testing::TestWithParam<RollingResistance> {};
+INSTANTIATE_TEST_SUITE_P(HertzContacts, BothRollingResistances,
+                         testing::Values(RollingResistance::constant_torque,
+                                         RollingResistance::spring));
 
-TEST_P(BothRollingFrictions, PressByTheLawOfHertz) {
+TEST_P(BothRollingResistances, PressByTheLawOfHertz) {
   Contacts contacts{};
   for (std::size_t n = 0; n < Contacts::count; ++n)
     place(contacts, n, {.overlap = 1e-5 * static_cast<double>(n + 1)});
@@ -85,13 +85,13 @@ TEST(HertzContacts, ReboundWithTheRestitution) {
     touch.overlap -= time_step * speed;
     if (touch.overlap <= 0.0) break;
     place(contacts, 0, touch);
-    find_hertz_forces(contacts, RollingFriction::constant_torque, time_step, Springs::advance);
+    find_hertz_forces(contacts, RollingResistance::constant_torque, time_step, Springs::advance);
     touch.approach += time_step / reduced_mass * at(contacts.force, 0);
   }
   EXPECT_NEAR(touch.approach.dot(touch.normal), restitution, 1e-4);
 }
 
-TEST_P(BothRollingFrictions, SlideAtTheLimitOfFriction) {
+TEST_P(BothRollingResistances, SlideAtTheLimitOfFriction) {
   Contacts contacts{};
   const Vector3d slip = Vector3d(2.0, 2.0, 1.0) / 3.0;  // at a right angle to the normal
   place(contacts, 0, {.approach = slip});
@@ -105,7 +105,7 @@ TEST_P(BothRollingFrictions, SlideAtTheLimitOfFriction) {
               0.0, 1e-12);
 }
 
-TEST_P(BothRollingFrictions, StickWithASpringAndItsDamping) {
+TEST_P(BothRollingResistances, StickWithASpringAndItsDamping) {
   Contacts contacts{};
   const Vector3d slip = 0.01 * Vector3d(2.0, 2.0, 1.0) / 3.0;
   place(contacts, 0, {.approach = slip});
@@ -120,7 +120,7 @@ TEST_P(BothRollingFrictions, StickWithASpringAndItsDamping) {
 }
 
 // Friction acts where the spheres touch, and rolling friction turns both by as much.
-TEST_P(BothRollingFrictions, KeepTheAngularMomentum) {
+TEST_P(BothRollingResistances, KeepTheAngularMomentum) {
   Contacts contacts{};
   const Touch touch{
       .approach = {0.3, -0.1, 0.2}, .spin_a = {5.0, 2.0, -7.0}, .spin_b = {1.0, 8.0, 3.0}};
@@ -138,7 +138,7 @@ TEST(HertzContacts, RollWithAConstantTorque) {
   const double arm_a = radius_a - 0.5e-4;
   const double arm_b = radius_b - 0.5e-4;
   place(contacts, 0, {.spin_a = arm_b * axis + 0.001 * Touch{}.normal, .spin_b = -arm_a * axis});
-  find_hertz_forces(contacts, RollingFriction::constant_torque, 1e-6, Springs::advance);
+  find_hertz_forces(contacts, RollingResistance::constant_torque, 1e-6, Springs::advance);
   const Vector3d relative = (arm_a + arm_b) * axis + 0.001 * Touch{}.normal;
   const Vector3d torque =
       -rolling * reduced_radius * elastic_force(1e-4) * (arm_a + arm_b) / relative.norm() * axis;
@@ -157,7 +157,7 @@ TEST(HertzContacts, RollOnASpringUpToItsLimit) {
   roll(0, 1.0);
   roll(1, 1e6);
   const double time_step = 1e-6;
-  find_hertz_forces(contacts, RollingFriction::spring, time_step, Springs::advance);
+  find_hertz_forces(contacts, RollingResistance::spring, time_step, Springs::advance);
   const double stiffness =
       8.0 * shear * std::sqrt(reduced_radius * 1e-4) * reduced_radius * reduced_radius;
   const double spring = stiffness * (arm_a + arm_b) * time_step;
@@ -168,7 +168,7 @@ TEST(HertzContacts, RollOnASpringUpToItsLimit) {
   EXPECT_NEAR((at(contacts.rolling_spring, 1) - most * axis).norm(), 0.0, 1e-9 * most);
 }
 
-TEST_P(BothRollingFrictions, LeaveSpringsThatStay) {
+TEST_P(BothRollingResistances, LeaveSpringsThatStay) {
   Contacts contacts{};
   const Vector3d spring(1e-6, 2e-6, -3e-6);
   for (std::size_t n = 0; n < Contacts::count; ++n) {

@@ -1,11 +1,12 @@
 # millwear from the shell. `make help` says what there is.
-.PHONY: all build demo study seed seed-check test unit slurm-test sanitize coverage check-style bench install clean help
+.PHONY: all build demo study seed-spacing seed seed-check test unit slurm-test sanitize coverage check-style bench install clean help
 
 PROGRAM := build/release/millwear
 DEMO_CASE := cases/pilot_mill/case.toml
 DEMO_RUN := runs/pilot_mill
 SEED := seed_mill_8m_desktop
 SEEDS := 1
+SPACING := seed_spacing_study
 PREFIX := /usr/local
 CTEST := ctest --preset ci --no-tests=error
 
@@ -22,6 +23,10 @@ demo: build ## Simulate the pilot mill's liner from new to worn out, and print t
 
 study: build ## Simulate the pilot mill with six spacings of its lifters and compare them; resumes
 	@$(PROGRAM) study cases/spacing_study/study.toml --out runs/spacing_study
+
+seed-spacing: build ## Compare five spacings of the 8 m mill's lifters, from kept results
+	@mkdir -p runs && rm -rf runs/$(SPACING)_kept && cp -r cases/$(SPACING)/reference runs/$(SPACING)_kept
+	@$(PROGRAM) study cases/$(SPACING)/study.toml --out runs/$(SPACING)_kept
 
 seed: build ## Simulate the 8 m mill's liner from new to worn out, once for each of SEEDS="1 2 3"; resumes
 	@for seed in $(SEEDS); do \

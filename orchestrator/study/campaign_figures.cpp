@@ -164,11 +164,11 @@ Figures figures_of(const std::filesystem::path& campaign, const Case& mill) {
                                ? 1.0 / (mill.slice_length * watts_per_kilowatt * *mill.feed_rate *
                                         seconds_per_hour / kilograms_per_tonne)
                                : nan;
-  const double life = number_in(summary, "life_hours");
-  return {.life_hours = summary.at("life_reached").get<bool>() ? life : nan,
+  const bool is_worn_out = summary.at("life_reached").get<bool>();
+  return {.life_hours = is_worn_out ? number_in(summary, "life_hours") : nan,
           .life_hours_error = wear::standard_error_of(
               {number_in(summary, "life_hours_low"), number_in(summary, "life_hours_high")}),
-          .life_tonnes = number_in(summary, "life_tonnes"),
+          .life_tonnes = is_worn_out ? number_in(summary, "life_tonnes") : nan,
           .steel_per_tonne = steel * last.worn_volume,
           .steel_per_tonne_error = steel * last.worn_volume_error,
           .height = last.lifter_height,

@@ -35,12 +35,12 @@ class StudyResult : public testing::Test {
     }
   }
 
-  static void keep(const fs::path& campaign, double life) {
+  static void keep(const fs::path& campaign, double life, bool is_worn_out = true) {
     fs::create_directories(campaign / "results");
     put_text(campaign / "results" / "summary.json",
-             fmt::format("{{\"life_reached\": true, \"life_hours\": {}, \"life_hours_low\": {}, "
-                         "\"life_hours_high\": {}, \"life_tonnes\": null, \"cycles\": 0}}",
-                         life, life - 19.6, life + 19.6));
+             fmt::format("{{\"life_reached\": {}, \"life_hours\": {}, \"life_hours_low\": {}, "
+                         "\"life_hours_high\": {}, \"life_tonnes\": 5000.0, \"cycles\": 0}}",
+                         is_worn_out, life, life - 19.6, life + 19.6));
     std::vector<HistoryRow> rows(3);
     for (int i = 0; i < 3; ++i) {
       rows[i].cycle = i == 2 ? 1 : 0;
@@ -75,6 +75,14 @@ TEST_F(StudyResult, OfAPointIsTheMeanOfItsReplicates) {
 }
 
 // Half the life at 100 W and half at 300 W, each load known to 10 W.
+TEST_F(StudyResult, HasNoLifeOfALinerThatIsNotWornOut) {
+  EXPECT_EQ(figure(study_results(plan, folders, states), 0, "life_tonnes").mean, 5000.0);
+  for (const auto& campaign : folders) keep(campaign, 1000.0, false);
+  const auto results = study_results(plan, folders, states);
+  EXPECT_TRUE(std::isnan(figure(results, 0, "life_hours").mean));
+  EXPECT_TRUE(std::isnan(figure(results, 0, "life_tonnes").mean));
+}
+
 TEST_F(StudyResult, TakesThePowerOverTheLife) {
   const auto results = study_results(plan, folders, states);
   const PointFigure power = figure(results, 0, "power_w");

@@ -37,7 +37,7 @@ void set(Contacts::Vectors& vectors, std::size_t n, const Vector& value) {
 }
 
 /// One contact. Without a branch, that several are evaluated at once: where there is a choice, both
-/// are worked out.
+/// are worked out. GCC evaluates them one by one if the loop is given a bool.
 template <RollingResistance rolling>
 [[gnu::always_inline]] inline void set_forces(Contacts& c, std::size_t n, double time_step,
                                               Springs springs) {

@@ -74,7 +74,6 @@ TEST_F(StudyResult, OfAPointIsTheMeanOfItsReplicates) {
   EXPECT_NEAR(life.scatter, 20.0 / std::sqrt(2.0), 1e-9);
 }
 
-// Half the life at 100 W and half at 300 W, each load known to 10 W.
 TEST_F(StudyResult, HasNoLifeOfALinerThatIsNotWornOut) {
   EXPECT_EQ(figure(study_results(plan, folders, states), 0, "life_tonnes").mean, 5000.0);
   for (const auto& campaign : folders) keep(campaign, 1000.0, false);
@@ -83,6 +82,7 @@ TEST_F(StudyResult, HasNoLifeOfALinerThatIsNotWornOut) {
   EXPECT_TRUE(std::isnan(figure(results, 0, "life_tonnes").mean));
 }
 
+// Half the life at 100 W and half at 300 W, each load known to 10 W.
 TEST_F(StudyResult, TakesThePowerOverTheLife) {
   const auto results = study_results(plan, folders, states);
   const PointFigure power = figure(results, 0, "power_w");

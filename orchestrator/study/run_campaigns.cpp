@@ -8,9 +8,11 @@
 #include <deque>
 #include <list>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "mill/base/failure.h"
+#include "mill/base/whole_file.h"
 #include "mill/case_file/case_file.h"
 #include "orchestrator/campaign/campaign.h"
 #include "orchestrator/campaign/ledger.h"
@@ -134,6 +136,16 @@ std::deque<std::size_t> to_run(const StudyPlan& plan, const std::vector<fs::path
   return {numbers.begin(), numbers.end()};
 }
 
+fs::path summary_of(const fs::path& campaign) { return campaign / "results" / "summary.json"; }
+
+/// Whether a campaign with results is not at its end: while it runs it publishes them after every
+/// load.
+bool goes_on(const fs::path& campaign) {
+  const auto summary = nlohmann::json::parse(read_file(summary_of(campaign)), nullptr, false);
+  return !summary.is_object() ||
+         summary.value("outcome", "") == std::string(name_of(Outcome::go_on));
+}
+
 }  // namespace
 
 std::vector<StateOfCampaign> states_of(const StudyFolder& folder,
@@ -142,7 +154,6 @@ std::vector<StateOfCampaign> states_of(const StudyFolder& folder,
   std::vector<StateOfCampaign> states;
   for (const fs::path& campaign : all) {
     const auto job = exits.find(campaign.filename().string());
-    const bool has_results = fs::exists(campaign / "results" / "summary.json");
     if (job == exits.end())
       states.push_back({CampaignState::waiting, fs::exists(campaign / "ledger.jsonl")
                                                     ? "it was interrupted"
@@ -152,8 +163,10 @@ std::vector<StateOfCampaign> states_of(const StudyFolder& folder,
     else if (job->second != 0)
       states.push_back(
           {CampaignState::failed, fmt::format("it failed with exit code {}", job->second)});
-    else if (!has_results)
+    else if (!fs::exists(summary_of(campaign)))
       states.push_back({CampaignState::waiting, "its results are gone"});
+    else if (goes_on(campaign))
+      states.push_back({CampaignState::waiting, "it was begun anew and interrupted"});
     else
       states.push_back({CampaignState::done, "it is done"});
   }

@@ -89,6 +89,16 @@ TEST_F(RunCampaigns, RunsAgainWhoseResultsAreGone) {
   EXPECT_EQ(calls(2), 2U);
 }
 
+// Its folder was removed, it was begun anew and killed: the job log tells of the first time only.
+TEST_F(RunCampaigns, RunsAgainWhatHasResultsOfALoadAndNotOfItsEnd) {
+  EXPECT_EQ(run(succeeds), 0);
+  put_text(folders[1] / "results" / "summary.json", "{\"outcome\": \"go_on\"}");
+  EXPECT_EQ(states_of(study, folders)[1].state, CampaignState::waiting);
+  EXPECT_EQ(run(succeeds), 0);
+  EXPECT_EQ(calls(1), 2U);
+  EXPECT_EQ(calls(0), 1U);
+}
+
 TEST_F(RunCampaigns, WaitsForAFolderThatIsStillInUse) {
   EXPECT_EQ(run("printf x >> calls; [ $(wc -c <calls) -gt 1 ] || exit 7\n"
                 "mkdir -p results; echo {} > results/summary.json"),

@@ -19,6 +19,7 @@
 #include "orchestrator/campaign/output_path.h"
 #include "orchestrator/campaign/run_lock.h"
 #include "orchestrator/campaign/stage_order.h"
+#include "orchestrator/cluster/slurm.h"
 #include "orchestrator/dem_run/charge_source.h"
 #include "orchestrator/dem_run/cost_estimate.h"
 #include "orchestrator/dem_run/stretch_run.h"
@@ -203,7 +204,7 @@ void run_verb(const RunOptions& options) {
   if (options.slurm.asked()) return submit_campaign(options, mill, folder);
 
   make_folder(folder.root);
-  const RunLock lock(folder.lock());
+  const RunLock lock(folder.lock(), patience_of_a_job());
   OpenCampaign opened = open();
   opened.campaign.shared_stages = options.shared;
   opened.campaign.scratch = options.scratch;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "mill/base/failure.h"
 #include "mill/base/number_or_null.h"
 #include "mill/case_file/case_file.h"
 #include "mill/liner/profile_measures.h"
@@ -16,9 +17,12 @@
 #include "orchestrator/campaign/stage_order.h"
 #include "orchestrator/dem_run/measured.h"
 #include "orchestrator/stretch/chunk_run.h"
+#include "orchestrator/study/study_folder.h"
 
 namespace millwear::orchestrator {
 namespace {
+
+namespace fs = std::filesystem;
 
 /// The newest load and its cycle, if there is one.
 std::optional<std::pair<int, Measured>> latest_measurement(const Campaign& campaign,
@@ -40,6 +44,23 @@ nlohmann::json latest_measurement_json(const std::optional<std::pair<int, Measur
           {"ended", name_of(end_of(load))}};
 }
 
+/// With the folder of a campaign or a study in place of the case file: what it was begun with.
+/// Throws Failure (usage) where the folder is neither.
+StatusOptions with_case_of_folder(StatusOptions options) {
+  fs::path& file = options.common.case_file;
+  if (!fs::is_directory(file) || !options.out.empty()) return options;
+  options.out = file;
+  const StudyFolder study{file};
+  const RunFolder run{file};
+  file = fs::exists(study.locked_study()) ? study.locked_study() : run.locked_case();
+  if (!fs::exists(file))
+    throw Failure(ExitCode::usage,
+                  fmt::format("{}: neither a campaign nor a study is here; name its folder, or its "
+                              "case or study file",
+                              options.out.string()));
+  return options;
+}
+
 }  // namespace
 
 void add_options(CLI::App& verb, StatusOptions& options) {
@@ -47,7 +68,8 @@ void add_options(CLI::App& verb, StatusOptions& options) {
   add_campaign_folder(verb, options.out);
 }
 
-void status_verb(const StatusOptions& options) {
+void status_verb(const StatusOptions& told) {
+  const StatusOptions options = with_case_of_folder(told);
   if (const auto study = study_folder_of(options.common.case_file, options.out))
     return print_study_status(*study, options.common.form);
   const Case mill = read_case(options.common.case_file);
@@ -88,8 +110,10 @@ void status_verb(const StatusOptions& options) {
     fmt::print("running: {}{}\n", next ? name_of(next->stage) : "gathering the results",
                done_of_it);
   else if (next)
-    fmt::print("not running; `millwear run {}` goes on with {}{}\n",
-               options.common.case_file.string(), name_of(next->stage), done_of_it);
+    fmt::print("not running; `millwear run {}{}` goes on with {}{}\n",
+               options.common.case_file.string(),
+               options.out.empty() ? "" : " --out " + options.out.string(), name_of(next->stage),
+               done_of_it);
   else
     fmt::print("finished: {}\n", name_of(outcome_of(ledger)));
 }

@@ -54,7 +54,8 @@ constexpr std::array table{
          prepare<StudyOptions, study_verb>},
     Verb{"status", "Say how far a campaign or a study is, also one in the queue of Slurm",
          "  millwear status cases/pilot_mill/case.toml\n"
-         "  millwear status cases/spacing_study/study.toml",
+         "  millwear status cases/spacing_study/study.toml\n"
+         "  millwear status runs/pilot_mill",
          prepare<StatusOptions, status_verb>},
     Verb{"report", "Write the result files and report.html of a campaign so far",
          "  millwear report cases/pilot_mill/case.toml --out runs/try",

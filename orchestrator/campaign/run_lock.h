@@ -1,4 +1,5 @@
 #pragma once
+#include <chrono>
 #include <filesystem>
 #include <memory>
 
@@ -11,8 +12,9 @@ class FolderLease;
 /// (folder_lease.h).
 class RunLock {
  public:
-  /// Throws Failure (exit code 7), with the holder's process and host, if the folder is in use.
-  explicit RunLock(const std::filesystem::path& file);
+  /// Waits up to `patience` for a folder that is in use. Throws Failure (exit code 7), with the
+  /// holder's process and host, if it still is.
+  explicit RunLock(const std::filesystem::path& file, std::chrono::seconds patience = {});
   ~RunLock();
   RunLock(const RunLock&) = delete;
   RunLock& operator=(const RunLock&) = delete;
@@ -21,6 +23,9 @@ class RunLock {
   [[nodiscard]] bool is_lease() const { return lease_ != nullptr; }
 
  private:
+  void take_now(const std::filesystem::path& file);
+  void take(const std::filesystem::path& file, std::chrono::steady_clock::time_point until);
+
   int fd_;
   std::unique_ptr<FolderLease> lease_;
 };

@@ -122,4 +122,8 @@ std::map<std::string, std::string> job_states(const std::vector<std::string>& jo
   return states;
 }
 
+std::chrono::seconds patience_of_a_job() {
+  return std::chrono::seconds(std::getenv("SLURM_JOB_ID") != nullptr ? 360 : 0);
+}
+
 }  // namespace millwear::orchestrator

@@ -1,4 +1,5 @@
 #pragma once
+#include <chrono>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -34,5 +35,9 @@ struct AfterJobs {
 /// How jobs stand, by squeue: "PENDING", "RUNNING" ... of each number ("12" or "12_3") that it
 /// still knows. Empty where squeue is missing.
 [[nodiscard]] std::map<std::string, std::string> job_states(const std::vector<std::string>& jobs);
+
+/// How long a job waits for a folder that is in use: the lock of a predecessor on a node that died
+/// stays for up to five minutes. None outside of a job.
+[[nodiscard]] std::chrono::seconds patience_of_a_job();
 
 }  // namespace millwear::orchestrator

@@ -46,6 +46,11 @@ grep -q '^#SBATCH --partition=all$' dry_run && grep -q 'to start at' dry_run || 
 "$program" study study.toml --most-points 5000 --slurm-dry-run | grep -q -- '--most-points 5000' ||
   fail "a task would refuse the points that the study was submitted with"
 [ ! -e studies ] || fail "a dry run left a folder"
+# What Slurm refuses is named, and nothing counts as submitted.
+code=0
+"$program" study study.toml --out refused --slurm --sbatch --partition=nowhere 2>message || code=$?
+{ [ $code = 4 ] && grep -qi 'partition' message; } || fail "a partition that does not exist: exit code $code, $(cat message)"
+"$program" status study.toml --out refused | grep -q '2 waiting' || fail "a refused campaign counts as submitted"
 "$program" study study.toml --out local --jobs 2 --quiet >/dev/null &
 local_study=$!
 wait $local_study

@@ -6,6 +6,7 @@
 
 #include <csignal>
 #include <optional>
+#include <thread>
 
 #include "mill/base/failure.h"
 #include "tests/support/temporary_folder.h"
@@ -69,6 +70,16 @@ TEST_F(Lock, GoesWithAKilledProcess) {
   holder.die();
   EXPECT_FALSE(is_locked(file));
   EXPECT_NO_THROW(RunLock{file});
+}
+
+TEST_F(Lock, IsWaitedForAsLongAsAsked) {
+  Holder holder(file);
+  EXPECT_THROW((RunLock{file, std::chrono::seconds{1}}), Failure);
+  std::jthread later([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds{700});
+    holder.die();
+  });
+  EXPECT_NO_THROW((RunLock{file, std::chrono::seconds{30}}));
 }
 
 TEST_F(Lock, GoesWithItsObject) {

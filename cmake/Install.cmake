@@ -14,7 +14,7 @@ endif()
 install(TARGETS millwear millwear-recorder RUNTIME)
 
 # Headers that know another library than Eigen are for our own sources.
-set(private_headers versioned_json number_or_null gsl_status hdf5_file)
+set(private_headers versioned_json number_or_null gsl_status hdf5_file hdf5_reader hdf5_writer number_type)
 list(TRANSFORM private_headers APPEND "\\.h$")
 list(JOIN private_headers "|" private_headers)
 

@@ -20,7 +20,9 @@ meshgen: mill
 liggghts_inputs/decks: mill
 liggghts_inputs/outputs: mill liggghts_inputs/decks
 wear/numerics: mill/base mill/liner
-wear/record: mill wear/numerics
+wear/hdf5: mill/base
+wear/record: mill wear/numerics wear/hdf5
+wear/charge: mill/base wear/hdf5
 wear/surface: mill wear/numerics wear/record
 wear/rate: mill wear/numerics wear/record wear/surface
 wear/evolve: mill wear/numerics wear/record wear/surface
@@ -96,8 +98,7 @@ library() {
 library gmsh "gmsh\.h" meshgen/gmsh_kernel.cpp
 library dxflib "dxflib/|dl_" meshgen/dxf_polyline.cpp
 library GSL "gsl/" wear/numerics/spline_basis.cpp wear/numerics/paper_spline.cpp wear/numerics/gsl_status.h
-library HDF5 "hdf5|H5" wear/record/hdf5_file.cpp wear/record/load_read.cpp wear/record/load_write.cpp \
-  wear/record/collision_store.cpp
+library HDF5 "hdf5\.h|H5" $(echo wear/hdf5/*.cpp) wear/record/load_write.cpp wear/record/collision_store.cpp
 library Clipper "polyclipping/|clipper" wear/evolve/steel_cut.cpp wear/gauge/area_between.cpp
 library toml++ "toml" mill/case_keys/case_document.cpp
 library dlib "dlib/" orchestrator/study/design_search.cpp
@@ -107,14 +108,14 @@ library CLI11 "CLI/" orchestrator/app/command_line.cpp orchestrator/app/common_o
   orchestrator/app/liner_choice.cpp $(echo orchestrator/app/*_verb.cpp) recorder/options/mixing_options.cpp \
   recorder/options/option_parsing.cpp recorder/options/recording_plan.cpp \
   recorder/options/run_options.cpp
-library LIGGGHTS "liggghts/" recorder/balance/balanced_columns.cpp recorder/record/charge_census.cpp recorder/run/deck_run.cpp \
+library LIGGGHTS "liggghts/" recorder/balance/balanced_columns.cpp recorder/record/charge_census.cpp recorder/record/charge_recorder.cpp recorder/run/deck_run.cpp \
   recorder/run/main.cpp recorder/record/liner_census.cpp recorder/record/mesh_hook.cpp recorder/neighbours/neighbours_by_size.cpp \
   recorder/pairs/pair_contacts.cpp recorder/neighbours/particle_neighbours.cpp \
   recorder/neighbours/particle_neighbours.h recorder/run/steady_mixing_run.cpp \
   recorder/record/stretch_recorder.cpp recorder/pairs/touching_pairs.cpp \
   recorder/record/wall_module.cpp recorder/record/wall_module.h recorder/neighbours/wall_neighbours.cpp \
   $(echo recorder/pairs/contact_models/style_*_model.h)
-library MPI "mpi\.h" recorder/balance/balanced_columns.cpp recorder/run/main.cpp recorder/record/rank_exchange.h \
+library MPI "mpi\.h" recorder/balance/balanced_columns.cpp recorder/run/main.cpp recorder/record/rank_exchange.h recorder/record/charge_recorder.h \
   recorder/run/steady_mixing_run.cpp recorder/record/stretch_recorder.h
 
 # A program that links the wear library need not describe a whole mill: no header of it reaches
@@ -134,7 +135,7 @@ wholes=$(grep -nE '^#include "mill/case/case\.h"' $reached /dev/null || true)
 # The wear library's computations are pure: no files, clock or randomness. Its stores are the exception.
 impure=$(grep -nE '#include <(fstream|iostream|filesystem|chrono|random|cstdlib|unistd.h)>' -r wear \
   --include='*.h' --include='*.cpp' --exclude-dir=bench |
-  grep -vE '^wear/record/(load_(store|read|write)|collision_store|hdf5_file)\.' || true)
+  grep -vE '^wear/(record/(load_(store|read|write)|collision_store)\.|charge/charge_record\.|hdf5/)' || true)
 [ -z "$impure" ] || { echo "wear is pure but for its stores:"; echo "$impure"; broken=1; }
 
 exit $broken

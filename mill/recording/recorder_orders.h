@@ -38,16 +38,17 @@ struct GoingOn {
 
 /// Run a deck and record its wall contacts.
 struct RecordingPlan {
-  std::filesystem::path deck;                   ///< LIGGGHTS's input script
-  std::filesystem::path mill;                   ///< the case file
-  std::filesystem::path liner;                  ///< the profile that the deck's mesh follows
-  std::filesystem::path load;                   ///< to be written
-  std::optional<std::filesystem::path> events;  ///< to be written, a row a collision
-  long first_step;                              ///< the measurement takes the steps after it
-  long last_step;                               ///< ... up to this one, at least
-  long every_steps = 1;                         ///< between two samples
-  std::optional<long> pairs_after;              ///< collisions between particles from here on,
-                                                ///< up to `last_step`
+  std::filesystem::path deck;                        ///< LIGGGHTS's input script
+  std::filesystem::path mill;                        ///< the case file
+  std::filesystem::path liner;                       ///< the profile that the deck's mesh follows
+  std::filesystem::path load;                        ///< to be written
+  std::optional<std::filesystem::path> events;       ///< to be written, a row a collision
+  std::optional<std::filesystem::path> charge = {};  ///< to be written, how the charge looked
+  long first_step;                                   ///< the measurement takes the steps after it
+  long last_step;                                    ///< ... up to this one, at least
+  long every_steps = 1;                              ///< between two samples
+  std::optional<long> pairs_after;                   ///< collisions between particles from here on,
+                                                     ///< up to `last_step`
   std::optional<GoingOn> going_on;
   /// Of a part of a measurement: the steps that parts before it have measured, and those by which
   /// the time blocks of the whole are laid.
@@ -89,6 +90,7 @@ void for_each_option(RecordingPlan& plan, GoingOnOptions& going_on, const Take& 
   take({"--liner", "profile (CSV) that the script's mesh follows"}, plan.liner);
   take({"--load", "file to write: the load on the liner (HDF5)"}, plan.load);
   take({"--events", "file to write: a row a collision (HDF5)", optional}, plan.events);
+  take({"--charge", "file to write: how the charge looked (HDF5)", optional}, plan.charge);
   take({"--after", "the measurement begins after this step", required, not_negative},
        plan.first_step);
   take({"--until", "... and ends with this step", required, positive}, plan.last_step);

@@ -30,6 +30,7 @@ inline constexpr const char* tuning = "tuning.json";
 inline constexpr const char* mixing = "mixing.csv";
 inline constexpr const char* load = "load.h5";
 inline constexpr const char* events = "events.h5";
+inline constexpr const char* charge = "charge.h5";
 inline constexpr const char* measured = "measured.json";
 inline constexpr const char* steps = "steps.json";
 }  // namespace stage_files

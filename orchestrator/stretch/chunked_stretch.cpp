@@ -15,6 +15,7 @@
 #include "orchestrator/stretch/step_follower.h"
 #include "orchestrator/stretch/stretch_checks.h"
 #include "orchestrator/stretch/stretch_decks.h"
+#include "wear/charge/charge_record.h"
 #include "wear/rate/load_rate.h"
 #include "wear/record/collision_store.h"
 #include "wear/record/load_read.h"
@@ -158,6 +159,7 @@ void record_in_chunks(const Campaign& campaign, int cycle, const StretchSteps& s
   const LinerProfile liner = dem_liner_of_cycle(campaign, cycle);
   const StepPlan plan = plan_steps(mill);
   std::optional<wear::LinerRecord> record;
+  std::optional<wear::ChargeRecord> charge;
   std::string torque_lines = "# step, torque on the liner about +y [N m]\n";
   std::vector<fs::path> folders;
   std::vector<Chunk> planned = chunks;
@@ -177,6 +179,8 @@ void record_in_chunks(const Campaign& campaign, int cycle, const StretchSteps& s
     before = folders.back() / names::restart;
     auto part = wear::read_record(folders.back() / stage_files::load);
     record = record ? wear::joined(*record, part) : std::move(part);
+    auto look = wear::read_charge(folders.back() / stage_files::charge);
+    charge = charge ? wear::joined(std::move(*charge), look) : std::move(look);
     if (i + 1 < planned.size()) continue;
     record->goal = goal_of(mill, liner, record->load);
     if (goes_on(record->goal, stretch, chunk))
@@ -185,6 +189,7 @@ void record_in_chunks(const Campaign& campaign, int cycle, const StretchSteps& s
   if (mill.dem.keep_events) join_collisions(folders, into);
   write_file(into / names::torque, torque_lines);
   wear::write_record(into / stage_files::load, *record);
+  wear::write_charge(into / stage_files::charge, *charge);
   fs::copy_file(before, into / names::restart);
 }
 

@@ -59,7 +59,7 @@ void check_stretch(const Case& mill, const liggghts::StretchSteps& steps, std::s
 }
 
 void check_recorded(const Case& mill, const fs::path& folder) {
-  std::vector<const char*> files = {stage_files::load};
+  std::vector<const char*> files = {stage_files::load, stage_files::charge};
   if (mill.dem.keep_events) files.push_back(stage_files::events);
   for (const char* const file : files)
     if (!fs::exists(folder / file))

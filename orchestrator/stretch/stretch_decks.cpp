@@ -44,6 +44,7 @@ RecordingPlan recording_plan(const Case& mill, int ranks, const liggghts::Stretc
                      .liner = profile_from_stage,
                      .load = stage_files::load,
                      .events = {},
+                     .charge = stage_files::charge,
                      .first_step = steps.settle_steps,
                      .last_step = steps.total(),
                      .every_steps = steps.sample_steps,

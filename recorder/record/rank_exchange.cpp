@@ -67,6 +67,14 @@ wear::LinerRecord sum_over_ranks(wear::LinerRecord record, MPI_Comm ranks) {
   return record;
 }
 
+wear::ChargeFields sum_over_ranks(wear::ChargeFields fields, MPI_Comm ranks) {
+  sum_to_first(fields.sums, ranks);
+  sum_to_first(fields.class_mass, ranks);
+  sum_to_first(fields.normal_dissipation.data(), fields.normal_dissipation.size(), ranks);
+  sum_to_first(fields.shear_dissipation.data(), fields.shear_dissipation.size(), ranks);
+  return fields;
+}
+
 std::vector<double> sums_over_ranks(const std::vector<double>& values, MPI_Comm ranks) {
   std::vector<double> sums(values.size(), 0.0);
   MPI_Allreduce(values.data(), sums.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_SUM,

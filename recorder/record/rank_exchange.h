@@ -4,6 +4,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "wear/charge/charge_fields.h"
 #include "wear/record/liner_record.h"
 
 namespace millwear::recorder {
@@ -24,6 +25,9 @@ template <class Plain>
 
 /// Sum of the ranks' records, valid on rank 0. Every rank has to call it.
 [[nodiscard]] wear::LinerRecord sum_over_ranks(wear::LinerRecord record, MPI_Comm ranks);
+
+/// Sum of what the ranks saw of one charge at the same instants, valid on rank 0.
+[[nodiscard]] wear::ChargeFields sum_over_ranks(wear::ChargeFields fields, MPI_Comm ranks);
 
 /// Sums of the ranks' values, on every rank. Every rank has to call it.
 [[nodiscard]] std::vector<double> sums_over_ranks(const std::vector<double>& values,

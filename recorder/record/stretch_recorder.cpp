@@ -103,6 +103,8 @@ StretchRecorder::StretchRecorder(LAMMPS& liggghts, const Case& mill, const Recor
       sampled_until_(plan.first_step),
       class_of_number_(totals(mill).particles + 1, 0) {
   check_particles(liggghts, mill);
+  if (plan.charge)
+    charge_.emplace(liggghts, mill, plan, [this](int i) { return class_of_particle(i); });
   if (plan.events) spool_.emplace(*plan.events, liggghts.comm->me);
   check_blocks(mill, plan);
   if (const long whole = measured_until(plan, plan.last_step); whole > steps_of_blocks(plan))
@@ -223,10 +225,15 @@ void StretchRecorder::take_step(long step, const std::vector<WallTouch>& touches
     return load_.begin_with(sample);
   }
   // Both are multiples of the samples' interval, the first step need not be.
-  if ((step - plan_.first_step % plan_.every_steps) % census_steps_ == 0)
-    load_.add_census(sample.time, census_of(liggghts_, turning_));
+  if ((step - plan_.first_step % plan_.every_steps) % census_steps_ == 0) take_census(sample.time);
+  if (charge_) charge_->take_frame(step);
   ++samples_;
   if (++waiting_count_ == waiting_.size()) sum_waiting();
+}
+
+void StretchRecorder::take_census(double time) {
+  load_.add_census(time, census_of(liggghts_, turning_));
+  if (charge_) charge_->take_census();
 }
 
 void StretchRecorder::sum_waiting() {
@@ -259,8 +266,10 @@ void StretchRecorder::take_pairs() {
                  .normal_power = touch.normal_power,
                  .shear_power = touch.shear_power,
                  .rolling_power = touch.rolling_power});
+    if (charge_) charge_->add(touch);
   });
   pairs_->end_sample();
+  if (charge_) charge_->end_step_of_pairs();
 }
 
 void StretchRecorder::finish_pairs() {
@@ -312,6 +321,7 @@ void StretchRecorder::publish() {
   mine.pairs = pair_record_;
   mine.goal = goal_;
   if (spool_) spool_->close();
+  if (charge_) charge_->publish(*plan_.charge);
   const auto record = sum_over_ranks(std::move(mine), liggghts_.world);
   if (liggghts_.comm->me != 0) return;
   if (plan_.events) publish_collisions(*plan_.events, liggghts_.comm->nprocs);

@@ -8,6 +8,7 @@
 #include "mill/case/liner_friction.h"
 #include "mill/recording/recorder_orders.h"
 #include "recorder/record/charge_census.h"
+#include "recorder/record/charge_recorder.h"
 #include "recorder/record/collision_spool.h"
 #include "recorder/record/going_on.h"
 #include "recorder/record/wall_module.h"
@@ -44,6 +45,7 @@ class StretchRecorder {
                   const LinerProfile& liner);
 
   void take_step(long step, const std::vector<WallTouch>& touches);
+  void take_census(double time);
   void take_pairs();
   void finish_pairs();
   [[nodiscard]] NextPiece decide();
@@ -68,6 +70,7 @@ class StretchRecorder {
   wear::TurningMill turning_;
   long census_steps_;  ///< between two censuses of the charge
   CompanyFinder company_;
+  std::optional<ChargeRecorder> charge_;
   std::optional<wear::PairTracker> pairs_;
   std::optional<wear::PairRecord> pair_record_;  ///< once their window is over
   std::optional<wear::MeasurementGoal> goal_;    ///< once the measurement has come to its end

@@ -105,6 +105,7 @@ Recording record_deck(const Case& mill, const liggghts::StretchSteps& steps,
                      .liner = "liner.csv",
                      .load = "load.h5",
                      .events = "events.h5",
+                     .charge = "charge.h5",
                      .first_step = steps.settle_steps,
                      .last_step = steps.total(),
                      .every_steps = steps.sample_steps,
@@ -120,6 +121,7 @@ Recording record_deck(const Case& mill, const liggghts::StretchSteps& steps,
       folder, ranks, orchestrator::RecorderProgram{MILLWEAR_RECORDER, to_arguments(plan)});
   if (steps.go_on_steps == 0) check_log(folder, expected);
   recording.record = wear::read_record(folder / "load.h5");
+  recording.charge = wear::read_charge(folder / "charge.h5");
   expected.last_step = liggghts::as_measured(steps, recording.record.load.duration).total();
   check_log(folder, expected);
   wear::for_each_collision(folder / "events.h5", [&](const wear::Collision& collision) {

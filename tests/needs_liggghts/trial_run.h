@@ -10,6 +10,7 @@
 #include "liggghts_inputs/outputs/stretch_log.h"
 #include "meshgen/liner_mesh.h"
 #include "mill/case/case.h"
+#include "wear/charge/charge_record.h"
 #include "wear/record/collision.h"
 #include "wear/record/load_accumulator.h"
 
@@ -52,6 +53,7 @@ Dumps run_deck(const std::filesystem::path& folder, int ranks,
 /// What the recorder made of a deck.
 struct Recording {
   wear::LinerRecord record;
+  wear::ChargeRecord charge;
   std::vector<wear::Collision> collisions;
   Dumps dumps;  ///< of the same run, where the deck dumps
 };

@@ -1,4 +1,4 @@
-#include "wear/record/hdf5_file.h"
+#include "wear/hdf5/hdf5_file.h"
 
 #include <fmt/format.h>
 #include <hdf5.h>

@@ -12,7 +12,7 @@
 #include <tuple>
 #include <vector>
 
-#include "wear/record/hdf5_file.h"
+#include "wear/hdf5/hdf5_file.h"
 
 namespace millwear::wear {
 namespace {

@@ -18,7 +18,8 @@ TEST(RecorderOrders, SampleEveryMultipleAfterTheFirstStep) {
 
 // What is not wanted is not told.
 TEST(RecorderOrders, AreWordsOfACommandLine) {
-  const RecordingPlan plan{"deck.in", "case.toml", "liner.csv", "load.h5", {}, 100, 300, 2, {}, {}};
+  const RecordingPlan plan{"deck.in", "case.toml", "liner.csv", "load.h5", {}, {},
+                           100,       300,         2,           {},        {}};
   EXPECT_THAT(to_arguments(plan),
               ElementsAre("--in", "deck.in", "--case", "case.toml", "--liner", "liner.csv",
                           "--load", "load.h5", "--after", "100", "--until", "300", "--every", "2"));

@@ -8,13 +8,15 @@ namespace millwear::recorder {
 namespace {
 
 RecordingPlan plain() {
-  return {"deck.in", "../../case.lock.toml", "../mesh/profile.csv", "load.h5", {}, 100, 300, 1, {},
-          {}};
+  return {
+      "deck.in", "../../case.lock.toml", "../mesh/profile.csv", "load.h5", {}, {}, 100, 300, 1, {},
+      {}};
 }
 
 RecordingPlan full() {
   RecordingPlan plan = plain();
   plan.events = "events with a blank.h5";
+  plan.charge = "charge.h5";
   plan.every_steps = 10;
   plan.pairs_after = 250;
   plan.going_on = GoingOn{1.0 / 30.0, 50, 500};

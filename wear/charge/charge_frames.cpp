@@ -1,0 +1,33 @@
+#include "wear/charge/charge_frames.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace millwear::wear {
+namespace {
+
+constexpr double steps = std::numeric_limits<std::uint16_t>::max();
+
+}  // namespace
+
+std::uint16_t FrameRange::packed(double value) const {
+  const double share = (value - low) / (high - low);
+  return static_cast<std::uint16_t>(std::lround(std::clamp(share, 0.0, 1.0) * steps));
+}
+
+double FrameRange::unpacked(std::uint16_t value) const {
+  return low + (high - low) * (value / steps);
+}
+
+void to_differences(std::vector<std::uint16_t>& rows, std::size_t row_size) {
+  for (std::size_t i = rows.size(); i-- > row_size;)
+    rows[i] = static_cast<std::uint16_t>(rows[i] - rows[i - row_size]);
+}
+
+void from_differences(std::vector<std::uint16_t>& rows, std::size_t row_size) {
+  for (std::size_t i = row_size; i < rows.size(); ++i)
+    rows[i] = static_cast<std::uint16_t>(rows[i] + rows[i - row_size]);
+}
+
+}  // namespace millwear::wear

@@ -31,6 +31,7 @@
 #include "recorder/run/deck_run.h"
 #include "recorder/run/leak_check.h"
 #include "recorder/run/steady_mixing_run.h"
+#include "recorder/turning/turning_mesh.h"
 
 namespace {
 
@@ -46,6 +47,7 @@ std::unique_ptr<LAMMPS_NS::LAMMPS> start_liggghts() {
   check_build(liggghts_build, liggghts->universe->version);
   find_neighbours_by_size(*liggghts);
   compute_only_touching_pairs(*liggghts);
+  turn_meshes_by_vectors(*liggghts);
   return liggghts;
 }
 

@@ -36,7 +36,8 @@ recorder/neighbours: recorder/liggghts
 recorder/pairs: mill/base recorder/liggghts
 recorder/record: mill wear recorder/liggghts recorder/pairs
 recorder/turning: recorder/liggghts
-recorder/run: mill recorder/liggghts recorder/options recorder/balance recorder/neighbours recorder/pairs recorder/record recorder/turning
+recorder/walls: recorder/liggghts
+recorder/run: mill recorder/liggghts recorder/options recorder/balance recorder/neighbours recorder/pairs recorder/record recorder/turning recorder/walls
 orchestrator/process: mill/base
 orchestrator/campaign: mill meshgen wear orchestrator/process
 orchestrator/dem_run: mill liggghts_inputs wear orchestrator/process orchestrator/campaign
@@ -111,7 +112,7 @@ library CLI11 "CLI/" orchestrator/app/command_line.cpp orchestrator/app/common_o
   recorder/options/run_options.cpp
 library LIGGGHTS "liggghts/" recorder/balance/balanced_columns.cpp recorder/record/charge_census.cpp recorder/record/charge_recorder.cpp recorder/run/deck_run.cpp \
   recorder/run/main.cpp recorder/record/liner_census.cpp recorder/record/mesh_hook.cpp recorder/neighbours/neighbours_by_size.cpp \
-  recorder/liggghts/fix_makers.cpp recorder/turning/turning_mesh.cpp \
+  recorder/liggghts/fix_makers.cpp recorder/turning/turning_mesh.cpp recorder/walls/near_walls.cpp \
   recorder/pairs/pair_contacts.cpp recorder/neighbours/particle_neighbours.cpp \
   recorder/neighbours/particle_neighbours.h recorder/run/steady_mixing_run.cpp \
   recorder/record/stretch_recorder.cpp recorder/pairs/touching_pairs.cpp \

@@ -32,6 +32,7 @@
 #include "recorder/run/leak_check.h"
 #include "recorder/run/steady_mixing_run.h"
 #include "recorder/turning/turning_mesh.h"
+#include "recorder/walls/near_walls.h"
 
 namespace {
 
@@ -48,6 +49,7 @@ std::unique_ptr<LAMMPS_NS::LAMMPS> start_liggghts() {
   find_neighbours_by_size(*liggghts);
   compute_only_touching_pairs(*liggghts);
   turn_meshes_by_vectors(*liggghts);
+  look_only_near_walls(*liggghts);
   return liggghts;
 }
 

@@ -245,7 +245,7 @@ CalibratedLaw calibrate(const Case& mill, const RunFolder& folder,
                         const std::vector<GaugeReading>& readings, std::optional<double> until) {
   const OpenCampaign kept = campaign_with_loads(folder);
   const Case& run = kept.campaign.mill;
-  const Case other = with_law_of(mill, run, folder.root.string());
+  const Case other = with_law_of(as_kept(mill, folder), run, folder.root.string());
   const auto cycles = path_cycles(kept, other);
   const bool has_profile = std::any_of(readings.begin(), readings.end(), [&](const auto& reading) {
     return reading.profile && !(reading.operating_hours > until.value_or(reading.operating_hours));

@@ -85,7 +85,7 @@ ReappliedLaw reapply(const Case& mill, const RunFolder& folder) {
   const auto [campaign, ledger] = campaign_with_loads(folder);
   const Case& run = campaign.mill;
   ReappliedLaw result{run,
-                      with_law_of(mill, run, folder.root.string()),
+                      with_law_of(as_kept(mill, folder), run, folder.root.string()),
                       {},
                       outcome_of(ledger) != Outcome::go_on,
                       lifter_height(run.liner),

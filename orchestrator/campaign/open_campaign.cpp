@@ -30,16 +30,6 @@ void check_same_case(const Case& mill, const Ledger& ledger, const RunFolder& fo
       mill.file.string(), folder.root.string(), folder.locked_case().string()));
 }
 
-/// The case with `charge_from` as it is reached from the campaign's folder, so that both may be
-/// moved together.
-Case as_kept(Case mill, const RunFolder& folder) {
-  auto& charge_from = mill.dem.charge_from;
-  if (charge_from && charge_from->is_relative())
-    charge_from =
-        folder_of_charge(mill).lexically_relative(fs::weakly_canonical(fs::absolute(folder.root)));
-  return mill;
-}
-
 bool lowers_limits_of(const Case& mill, const Ledger& ledger, const RunFolder& folder) {
   return ledger.start.case_hash != hash_of_case(mill) && fs::exists(folder.locked_case()) &&
          only_lowers_limits(mill, read_case(folder.locked_case()));
@@ -66,6 +56,14 @@ RunFolder run_folder_of(const Case& mill, const fs::path& out) {
 
 fs::path folder_of_charge(const Case& mill) {
   return fs::weakly_canonical(fs::absolute(mill.file).parent_path() / *mill.dem.charge_from);
+}
+
+Case as_kept(Case mill, const RunFolder& folder) {
+  auto& charge_from = mill.dem.charge_from;
+  if (charge_from && charge_from->is_relative())
+    charge_from =
+        folder_of_charge(mill).lexically_relative(fs::weakly_canonical(fs::absolute(folder.root)));
+  return mill;
 }
 
 OpenCampaign campaign_to_run(const Case& described, const RunFolder& folder,

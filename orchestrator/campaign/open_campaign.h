@@ -21,6 +21,10 @@ struct OpenCampaign {
 /// of the case file.
 [[nodiscard]] std::filesystem::path folder_of_charge(const Case& mill);
 
+/// The case with `charge_from` as it is reached from the campaign's folder, so that both may be
+/// moved together. As such it is kept there, and compared.
+[[nodiscard]] Case as_kept(Case mill, const RunFolder& folder);
+
 /// Who starts a campaign.
 struct CampaignStarter {
   std::string program;  ///< name and version

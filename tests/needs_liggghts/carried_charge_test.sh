@@ -31,6 +31,7 @@ grep -q 'cycle_000/dem/charge.restart: [1-9][0-9]* particles moved out of the st
 grep -q 'mixed for .* revolutions' told || { cat told; exit 1; }
 grep -q '^charge_from = "../source"$' runs/higher/case.lock.toml || fail "the locked path is not from its own folder"
 "$program" run higher.toml --out runs/higher --until 0:dem --quiet >/dev/null
+"$program" wear higher.toml --out runs/higher >/dev/null || fail "no law can be tried on its load"
 "$program" run higher.toml --out runs/again --until 0:dem --quiet >/dev/null
 cmp runs/higher/cycle_000/dem/load.h5 runs/again/cycle_000/dem/load.h5
 

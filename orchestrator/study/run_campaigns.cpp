@@ -16,6 +16,8 @@
 #include "mill/case_file/case_file.h"
 #include "orchestrator/campaign/campaign.h"
 #include "orchestrator/campaign/ledger.h"
+#include "orchestrator/campaign/run_folder.h"
+#include "orchestrator/campaign/stage_order.h"
 #include "orchestrator/process/host_name.h"
 #include "orchestrator/process/logged_child.h"
 #include "orchestrator/study/job_log.h"
@@ -142,8 +144,10 @@ fs::path summary_of(const fs::path& campaign) { return campaign / "results" / "s
 /// load.
 bool goes_on(const fs::path& campaign) {
   const auto summary = nlohmann::json::parse(read_file(summary_of(campaign)), nullptr, false);
-  return !summary.is_object() ||
-         summary.value("outcome", "") == std::string(name_of(Outcome::go_on));
+  if (summary.is_object() && summary.value("outcome", "") != name_of(Outcome::go_on)) return false;
+  // It may have come to its last cycle above its limits.
+  const auto ledger = read_ledger(RunFolder{campaign}.ledger());
+  return !ledger || next_stage(*ledger, plan_of(read_case(campaign / "case.toml"))).has_value();
 }
 
 }  // namespace

@@ -159,7 +159,7 @@ TEST_F(FinishedCampaign, IsKnownByItsFolderAlone) {
   const Ended by_case = millwear({"status", case_file, "--out", campaign.string()});
   const Ended by_folder = millwear({"status", campaign.string()});
   EXPECT_EQ(by_folder.code, 0) << by_folder.err;
-  EXPECT_THAT(by_folder.out, AllOf(HasSubstr("finished: worn out"), testing::Eq(by_case.out)));
+  EXPECT_THAT(by_folder.out, AllOf(HasSubstr("finished: plate_limit"), testing::Eq(by_case.out)));
   const Ended elsewhere = millwear({"status", folder.path().string()});
   EXPECT_EQ(elsewhere.code, 2);
   EXPECT_THAT(elsewhere.err, HasSubstr("neither a campaign nor a study"));

@@ -58,6 +58,8 @@ wear::LinerRecord sum_over_ranks(wear::LinerRecord record, MPI_Comm ranks) {
          {&record.motion->census, &record.motion->plate.mass, &record.motion->plate.energy,
           &record.motion->lifter.mass, &record.motion->lifter.energy})
       sum_to_first(*values, ranks);
+  if (record.polar)
+    for (auto& values : record.polar->values) sum_to_first(values, ranks);
   if (record.pairs) {
     sum_to_first(record.pairs->spectrum, ranks);
     sum_to_first(&record.pairs->normal_dissipation, 1, ranks);

@@ -35,7 +35,8 @@ PairRecord sum_of(PairRecord sum, const PairRecord& more) {
 LinerRecord sum_of(const LinerRecord& first, const LinerRecord& second) {
   expect(first.triangles.cols() == second.triangles.cols() &&
              first.pairs.has_value() == second.pairs.has_value() &&
-             first.motion.has_value() == second.motion.has_value(),
+             first.motion.has_value() == second.motion.has_value() &&
+             first.polar.has_value() == second.polar.has_value(),
          "records that are summed are of the same mesh and the same kinds");
   LinerRecord sum = first;
   sum.load = sum_of(first.load, second.load);
@@ -45,6 +46,7 @@ LinerRecord sum_of(const LinerRecord& first, const LinerRecord& second) {
   sum.triangles += second.triangles;
   if (first.pairs) sum.pairs = sum_of(*first.pairs, *second.pairs);
   if (first.motion) add_motion(*sum.motion, *second.motion);
+  if (first.polar) add_polar(*sum.polar, *second.polar);
   return sum;
 }
 
@@ -71,6 +73,11 @@ LinerRecord joined(const LinerRecord& first, const LinerRecord& last) {
   LinerRecord after = last;
   before.pairs.reset();
   after.pairs.reset();
+  // A part that an older program measured has none, and half of a map is none either.
+  if (!first.polar || !last.polar) {
+    before.polar.reset();
+    after.polar.reset();
+  }
   LinerRecord whole = sum_of(before, after);
   whole.pairs = last.pairs ? last.pairs : first.pairs;
   whole.goal = last.goal;

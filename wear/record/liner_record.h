@@ -7,6 +7,7 @@
 #include "wear/record/charge_position.h"
 #include "wear/record/impact_spectrum.h"
 #include "wear/record/measurement_goal.h"
+#include "wear/record/polar_load.h"
 
 namespace millwear::wear {
 
@@ -28,6 +29,7 @@ struct LinerRecord {
   std::optional<PairRecord> pairs{};
   std::optional<MeasurementGoal> goal{};  ///< of a measurement that could go on
   std::optional<ChargeMotion> motion{};   ///< where it was recorded
+  std::optional<PolarLoad> polar{};       ///< records of older programs have none
 };
 
 /// Sum of two records of the same measurement, e.g. of two ranks that saw different contacts.

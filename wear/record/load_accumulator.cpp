@@ -48,7 +48,10 @@ LinerRecord empty_record(const LinerSector& sector, const LoadMeasurement& m, do
           empty_spectrum(static_cast<Eigen::Index>(m.class_mass.size())),
           Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(measure_count),
                                 static_cast<Eigen::Index>(m.triangles)),
-          std::nullopt};
+          std::nullopt,
+          std::nullopt,
+          std::nullopt,
+          no_polar_load(m.bins)};
 }
 
 double share(double rejected, double taken) {
@@ -167,7 +170,15 @@ void LoadAccumulator::add(const WallContacts& sample) {
     const Eigen::Index cell = std::min(
         static_cast<Eigen::Index>(place.on_profile.arc_length * cells_per_metre_), cells - 1);
     block_sums_.col(static_cast<Eigen::Index>(contact.particle_class) * cells + cell) += amounts;
+    add_polar_amounts(cell / cells_per_bin, polar_column(place.angle_from_six), amounts);
   }
+}
+
+void LoadAccumulator::add_polar_amounts(Eigen::Index bin, Eigen::Index column,
+                                        const Amounts& amounts) {
+  for (std::size_t m = 0; m < polar_measures.size(); ++m)
+    record_.polar->values[m](bin, column) +=
+        amounts[static_cast<Eigen::Index>(index_of(polar_measures[m]))];
 }
 
 void LoadAccumulator::add_census(double time, const Census& census) {

@@ -80,6 +80,7 @@ class LoadAccumulator {
   const std::vector<bool>& follow(const WallContacts& sample, CollisionTracker::SampleKind kind);
   void check(const WallContact& contact, double time) const;
   void take_ended(const Collision& collision);
+  void add_polar_amounts(Eigen::Index bin, Eigen::Index column, const Amounts& amounts);
   void add_bare_hits(const WallContacts& sample, std::size_t block);
   void close_block();
 

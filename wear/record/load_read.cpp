@@ -65,6 +65,16 @@ ChargeMotion motion_from(const Hdf5Reader& reader, const Handle& group, std::siz
   return motion;
 }
 
+PolarLoad polar_from(const Hdf5Reader& reader, const Handle& group) {
+  PolarLoad polar;
+  for (std::size_t m = 0; m < polar_measures.size(); ++m) {
+    polar.values[m] = reader.read_matrix(group.id(), measure_names[index_of(polar_measures[m])]);
+    reader.require(polar.values[m].rows() == polar.values[0].rows() &&
+                   polar.values[m].cols() == polar_columns);
+  }
+  return polar;
+}
+
 PairRecord pairs_from(const Hdf5Reader& reader, const Handle& group) {
   return {reader.read_number(group.id(), "duration"), spectrum_from(reader, group),
           reader.read_number(group.id(), "normal_dissipation"),
@@ -88,6 +98,8 @@ LinerRecord read_record(const std::filesystem::path& path) {
     record.pairs = pairs_from(reader, reader.group("particle_collisions"));
   if (reader.has("charge_motion"))
     record.motion = motion_from(reader, reader.group("charge_motion"), record.load.block_count);
+  if (reader.has("polar_load"))
+    record.polar = polar_from(reader, reader.group("polar_load"));
   if (reader.has("goal")) {
     const Handle goal = reader.group("goal");
     record.goal = {reader.read_number(goal.id(), "target_relative_error"),

@@ -151,6 +151,14 @@ void write_record(const std::filesystem::path& path, const LinerRecord& record) 
     write_into(writer, pairs, record.pairs->spectrum);
   }
   if (record.motion) write_into(writer, writer.new_group("charge_motion"), *record.motion);
+  if (record.polar) {
+    const Handle polar = writer.new_group("polar_load");
+    for (std::size_t m = 0; m < polar_measures.size(); ++m) {
+      const auto measure = index_of(polar_measures[m]);
+      writer.write_matrix(polar.id(), measure_names[measure], measure_units[measure],
+                          record.polar->values[m]);
+    }
+  }
   if (record.goal) {
     const Handle goal = writer.new_group("goal");
     writer.write_number(goal.id(), "target_relative_error", "1", record.goal->target_error);

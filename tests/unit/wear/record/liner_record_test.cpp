@@ -32,6 +32,8 @@ LinerRecord record_of(double value) {
   record.motion->census.setConstant(value);
   add_hit(record.motion->plate, 0.2, value, value, 1);
   add_hit(record.motion->lifter, 0.2, value, value, 2);
+  record.polar = no_polar_load(2);
+  for (auto& values : record.polar->values) values.setConstant(value);
   record.pairs = PairRecord{0.5, empty_spectrum(3), value, 2.0 * value, 3.0 * value};
   return record;
 }
@@ -56,6 +58,8 @@ TEST(LinerRecord, RanksAddUp) {
   EXPECT_EQ(sum.motion->plate.energy.sum(), 5.0);
   EXPECT_EQ(sum.motion->lifter.mass.col(2).sum(), 5.0);
   EXPECT_EQ(sum.motion->lifter.energy.sum(), 5.0);
+  for (const auto& values : sum.polar->values)
+    EXPECT_EQ(values, Eigen::MatrixXd::Constant(2, polar_columns, 5.0));
   EXPECT_EQ(sum.load.duration, 2.0);
   EXPECT_EQ(sum.load.rows, 10);
 }
@@ -64,6 +68,7 @@ TEST(LinerRecord, RefusesToSumWhatDiffersInMoreThanItsValues) {
   const std::function<void(LinerRecord&)> changes[] = {
       [](LinerRecord& r) { r.load.rows = 11; },
       [](LinerRecord& r) { r.motion.reset(); },
+      [](LinerRecord& r) { r.polar.reset(); },
       [](LinerRecord& r) { r.load.duration = 3.0; },
       [](LinerRecord& r) { r.load.slice_length = 0.5; },
       [](LinerRecord& r) { r.load.bin_edges[1] = 0.2; },
@@ -101,6 +106,14 @@ TEST(LinerRecord, PartsJoinWithTheBlocksOfTheLast) {
   EXPECT_EQ(whole.motion->census.leftCols(3), Eigen::MatrixXd::Constant(6, 3, 5.0));
   ASSERT_TRUE(whole.pairs);
   EXPECT_EQ(whole.pairs->normal_dissipation, 1.0);
+  EXPECT_EQ(whole.polar->values[2], Eigen::MatrixXd::Constant(2, polar_columns, 5.0));
+}
+
+TEST(LinerRecord, APartWithoutAPolarLoadLeavesTheWholeWithoutOne) {
+  LinerRecord older = record_of(1.0);
+  older.polar.reset();
+  EXPECT_FALSE(joined(older, record_of(4.0)).polar);
+  EXPECT_FALSE(joined(record_of(4.0), older).polar);
 }
 
 }  // namespace

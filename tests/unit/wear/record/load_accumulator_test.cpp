@@ -94,6 +94,31 @@ TEST(LoadAccumulator, BinsAndRejectedEqualTheTotal) {
               work, 1e-12 * work);
 }
 
+// Row 3 of ten, the mill turned by 0.2 rad: 108 and 11.46 degrees from six o'clock.
+TEST(LoadAccumulator, KeepsWhereAroundTheTurnABinTakesItsLoad) {
+  LoadAccumulator accumulator(square_lifter(), sample_measurement);
+  accumulator.add({1.6, 0.2, {sample_contact({0.0, 0.1}, 3, 0.2)}});
+  const auto polar = accumulator.finish().polar;
+  ASSERT_TRUE(polar);
+  const Eigen::Index column = 59;  // 115 to 120 degrees
+  EXPECT_EQ(polar->values[0].col(column).sum(), 1.0);
+  EXPECT_EQ(polar->values[0].sum(), 1.0);
+  EXPECT_DOUBLE_EQ(polar->values[1].col(column).sum(), 100.0 * 0.2 * 0.01);
+  EXPECT_DOUBLE_EQ(polar->values[2].col(column).sum(), 100.0 * 0.5 * 0.01);
+}
+
+TEST(LoadAccumulator, ThePolarLoadSumsToThatOfTheBins) {
+  const LinerProfile profile = square_lifter();
+  LoadAccumulator accumulator(profile, sample_measurement);
+  accumulator.add(random_contacts(profile, 0.3, 0.7));
+  const LinerRecord record = accumulator.finish();
+  const WallLoad bins = coarsened(record.load, cells_per_bin);
+  for (std::size_t m = 0; m < polar_measures.size(); ++m) {
+    const Eigen::VectorXd total = bins.total(polar_measures[m]);
+    EXPECT_LT((record.polar->values[m].rowwise().sum() - total).norm(), 1e-12 * total.norm());
+  }
+}
+
 TEST(LoadAccumulator, RotatingEveryContactByOnePitchChangesNothing) {
   const LinerProfile profile = square_lifter();
   const double pitch = sample_sector.pitch();

@@ -134,6 +134,17 @@ TEST_F(LoadStore, ReadsBackHowTheChargeMoved) {
   EXPECT_EQ(found->lifter.energy, written.motion->lifter.energy);
 }
 
+TEST_F(LoadStore, ReadsBackWhereAroundTheTurnTheLoadIsTaken) {
+  LinerRecord written = sample_record(0.3);
+  write_record(file, written);
+  EXPECT_FALSE(read_record(file).polar);
+  written.polar = no_polar_load(12);
+  written.polar->values[1](3, 71) = 5.0;
+  written.polar->values[2](11, 0) = 7.0;
+  write_record(file, written);
+  EXPECT_EQ(read_record(file).polar, written.polar);
+}
+
 TEST_F(LoadStore, ReadsARecordWithoutParticleContacts) {
   LinerRecord written = sample_record(0.3);
   written.pairs.reset();

@@ -44,8 +44,10 @@ orchestrator/dem_run: mill liggghts_inputs wear orchestrator/process orchestrato
 orchestrator/stretch: mill liggghts_inputs wear orchestrator/process orchestrator/campaign orchestrator/dem_run
 orchestrator/loads: mill wear orchestrator/campaign
 orchestrator/stages: mill wear orchestrator/process orchestrator/campaign orchestrator/dem_run orchestrator/stretch orchestrator/loads
-orchestrator/results: mill wear orchestrator/campaign orchestrator/dem_run orchestrator/loads
-orchestrator/report: mill/base orchestrator/process orchestrator/results
+orchestrator/charge: mill wear/charge orchestrator/campaign
+orchestrator/results: mill wear orchestrator/campaign orchestrator/dem_run orchestrator/loads orchestrator/charge
+orchestrator/report: mill/base mill/case wear/charge orchestrator/process orchestrator/charge orchestrator/results
+orchestrator/pictures: mill wear orchestrator/process orchestrator/campaign orchestrator/charge orchestrator/loads orchestrator/results
 orchestrator/postprocess: mill meshgen liggghts_inputs/outputs wear orchestrator/process orchestrator/campaign orchestrator/dem_run
 orchestrator/gauge: mill meshgen wear orchestrator/results
 orchestrator/calibration: mill wear orchestrator/campaign orchestrator/dem_run orchestrator/results orchestrator/gauge

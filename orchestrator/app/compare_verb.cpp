@@ -25,7 +25,7 @@
 #include "orchestrator/campaign/run_folder.h"
 #include "orchestrator/gauge/gauge_comparison.h"
 #include "orchestrator/gauge/gauge_folder.h"
-#include "orchestrator/report/course_plot.h"
+#include "orchestrator/pictures/course_plot.h"
 
 namespace millwear::orchestrator {
 namespace {

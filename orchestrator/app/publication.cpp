@@ -5,10 +5,12 @@
 #include <cmath>
 
 #include "mill/base/failure.h"
+#include "mill/base/published_file.h"
 #include "mill/base/whole_file.h"
 #include "orchestrator/calibration/course_calibration.h"
 #include "orchestrator/gauge/gauge_folder.h"
-#include "orchestrator/report/report_files.h"
+#include "orchestrator/pictures/plots.h"
+#include "orchestrator/report/report.h"
 #include "orchestrator/results/gather.h"
 #include "orchestrator/results/result_files.h"
 
@@ -35,14 +37,14 @@ CampaignResults publish_campaign(const OpenCampaign& opened,
   CampaignResults data = gather(campaign, ledger);
   add_readings_of(campaign.mill, readings, data);
   publish_results(campaign, ledger, data);
-  publish_report(campaign.folder.report(), data);
+  publish(campaign.folder.report(), report_html(data));
   return data;
 }
 
 void publish_pictures_if_possible(const RunFolder& folder, const CampaignResults& data,
                                   Progress& progress) {
   try {
-    publish_pictures(folder.results(), data);
+    write_plots(data, folder.results());
   } catch (const ExternalProgramError& problem) {
     progress.say(std::string("no pictures in results/: ") + problem.what());
   }

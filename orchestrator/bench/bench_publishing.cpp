@@ -4,7 +4,8 @@
 #include <ctime>
 #include <vector>
 
-#include "orchestrator/report/report_files.h"
+#include "mill/base/published_file.h"
+#include "orchestrator/report/report.h"
 #include "orchestrator/results/gather.h"
 #include "orchestrator/results/result_files.h"
 #include "tests/support/synthetic_run.h"
@@ -28,7 +29,7 @@ int main() {
     const auto results = orchestrator::gather(campaign, ledger);
     const auto known = now();
     orchestrator::publish_results(campaign, ledger, results);
-    orchestrator::publish_report(campaign.folder.report(), results);
+    publish(campaign.folder.report(), orchestrator::report_html(results));
     const auto end = now();
     gathered.push_back(known - begin);
     published.push_back(end - begin);

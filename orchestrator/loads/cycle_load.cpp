@@ -32,6 +32,11 @@ void serialize(Archive& archive, Rolling& value) {
 }
 
 template <class Archive>
+void serialize(Archive& archive, PolarLoad& value) {
+  archive(value.values);
+}
+
+template <class Archive>
 void serialize(Archive& archive, PackedDataset& value) {
   archive(value.name, value.unit, value.sizes, value.bytes);
 }
@@ -71,7 +76,7 @@ template <class Archive>
 void serialize(Archive& archive, CycleLoad& value) {
   archive(value.smoothed, value.by_block, value.rolling, value.worn_by_load, value.block_count,
           value.path_over_slip, value.bins, value.along, value.impacts, value.hit_power,
-          value.spectrum_lines);
+          value.polar, value.spectrum_lines);
 }
 
 namespace {
@@ -96,6 +101,7 @@ CycleLoad worked_out(const Campaign& campaign, int cycle) {
           .along = load_along_profile(cycle, rate),
           .impacts = impacts_of(cycle, record, mill),
           .hit_power = hit_power(record),
+          .polar = record.polar,
           .spectrum_lines = spectrum_lines(spectrum_rows(cycle, record, class_names(mill)))};
 }
 

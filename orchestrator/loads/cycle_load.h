@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "wear/evolve/timed_load.h"
 #include "wear/rate/smoothing.h"
 #include "wear/record/load_store.h"
+#include "wear/record/polar_load.h"
 
 namespace millwear::orchestrator {
 
@@ -24,8 +26,9 @@ struct CycleLoad {
   wear::PackedLoad bins;   ///< for `bins.h5`
   LoadAlongProfile along;  ///< without the places of its bins
   Impacts impacts;
-  std::vector<double> hit_power;  ///< see hit_power.h
-  std::string spectrum_lines;     ///< of `spectra.csv`
+  std::vector<double> hit_power;         ///< see hit_power.h
+  std::optional<wear::PolarLoad> polar;  ///< loads of older programs have none
+  std::string spectrum_lines;            ///< of `spectra.csv`
 };
 
 /// The load of a cycle whose DEM is published. `load_hash` is of its load.h5. It is worked out once

@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "mill/base/number_or_null.h"
+#include "orchestrator/report/charge_json.h"
 #include "orchestrator/report/html_text.h"
 #include "orchestrator/results/measured_charge.h"
 
@@ -280,6 +281,7 @@ std::string report_json(const CampaignResults& data) {
   text.pop_back();
   write_member(text, "profiles", data.profiles);
   write_member(text, "loads", data.loads);
+  text += ",\"charge\":" + charge_json(data);
   return inside_script(text + "}");
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mill/liner/liner_profile.h"
+#include "orchestrator/charge/charge_of_cycle.h"
 #include "orchestrator/loads/hit_power.h"
 #include "orchestrator/loads/impacts.h"
 #include "orchestrator/loads/load_along_profile.h"
@@ -46,6 +47,12 @@ struct MotionOfCycle {
   int cycle;
   wear::MotionMeasures measures;
   std::vector<double> hit_power;  ///< see orchestrator/loads/hit_power.h
+};
+
+/// The load of one cycle by angle around the turn and bin.
+struct PolarLoadOfCycle {
+  int cycle;
+  wear::PolarLoad load;
 };
 
 /// What one cycle took from the liner against what its load accounts for.
@@ -94,6 +101,8 @@ struct CampaignResults {
   std::vector<Impacts> impacts;
   std::vector<PowerSeries> power;
   std::vector<MotionOfCycle> motion{};
+  ShownCharge charge{};                   ///< of the cycles that recorded it
+  std::vector<PolarLoadOfCycle> polar{};  ///< likewise
   std::vector<Conservation> conservation;
   std::vector<MeasuredHeight> measured;
   std::vector<MeasuredProfile> measured_profiles{};

@@ -48,6 +48,7 @@ void add_cycle(CycleLoad load, const CycleResults& cycle, const LinerProfile& li
   data.power.push_back(cycle.power);
   data.motion.push_back({cycle.conservation.cycle, cycle.motion, std::move(load.hit_power)});
   data.impacts.push_back(std::move(load.impacts));
+  if (load.polar) data.polar.push_back({cycle.conservation.cycle, std::move(*load.polar)});
   load.along.centres = places_on(liner, cycle.rotation, load.along.arc_length);
   data.loads.push_back(std::move(load.along));
   data.bins.push_back(std::move(load.bins));
@@ -121,6 +122,9 @@ CampaignResults gather(const Campaign& campaign, const Ledger& ledger) {
   const auto cycles = results_of_cycles(campaign, ledger, loads);
   for (std::size_t i = 0; i < cycles.size(); ++i)
     add_cycle(std::move(loads[i]), cycles[i], i > 0 ? cycles[i - 1].after.liner : mill.liner, data);
+  std::vector<int> numbers;
+  for (const auto& cycle : cycles) numbers.push_back(cycle.conservation.cycle);
+  data.charge = charge_of_cycles(campaign, numbers);
   data.life = life_from(campaign, ledger, data);
   if (data.life.reached) {
     const auto band = wear::band_of(lives_of(mill, cycles));

@@ -2,7 +2,7 @@
 #include <iostream>
 
 #include "mill/base/published_file.h"
-#include "orchestrator/report/plots.h"
+#include "orchestrator/pictures/plots.h"
 #include "orchestrator/report/report.h"
 #include "tests/support/synthetic_campaign.h"
 

@@ -117,10 +117,10 @@ void write_charge(const std::filesystem::path& path, const ChargeRecord& record)
   writer.publish();
 }
 
-ChargeRecord read_charge(const std::filesystem::path& path) {
+ChargeRecord read_charge(const std::filesystem::path& path, ChargeParts parts) {
   const Hdf5Reader reader(path, format);
   ChargeRecord record{fields_from(reader), std::nullopt};
-  if (reader.has("frames")) record.frames = frames_from(reader);
+  if (parts == ChargeParts::all && reader.has("frames")) record.frames = frames_from(reader);
   return record;
 }
 

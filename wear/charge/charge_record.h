@@ -24,8 +24,12 @@ struct ChargeRecord {
 /// straight to `path`: publishing it is the caller's. Throws DiskError where that fails.
 void write_charge(const std::filesystem::path& path, const ChargeRecord& record);
 
+/// What is read of a record; the frames are by far the most of it.
+enum class ChargeParts { fields, all };
+
 /// Throws DiskError where there is no such file, ResultRejected where it is damaged or of another
 /// version.
-[[nodiscard]] ChargeRecord read_charge(const std::filesystem::path& path);
+[[nodiscard]] ChargeRecord read_charge(const std::filesystem::path& path,
+                                       ChargeParts parts = ChargeParts::all);
 
 }  // namespace millwear::wear

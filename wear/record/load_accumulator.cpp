@@ -44,7 +44,8 @@ WallLoad empty_load(const LinerSector& sector, const LoadMeasurement& m, double 
 }
 
 LinerRecord empty_record(const LinerSector& sector, const LoadMeasurement& m, double length) {
-  return {empty_load(sector, m, length), no_charge_angles(m.block_count),
+  return {empty_load(sector, m, length),
+          no_charge_angles(m.block_count),
           empty_spectrum(static_cast<Eigen::Index>(m.class_mass.size())),
           Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(measure_count),
                                 static_cast<Eigen::Index>(m.triangles)),

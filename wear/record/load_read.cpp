@@ -98,8 +98,7 @@ LinerRecord read_record(const std::filesystem::path& path) {
     record.pairs = pairs_from(reader, reader.group("particle_collisions"));
   if (reader.has("charge_motion"))
     record.motion = motion_from(reader, reader.group("charge_motion"), record.load.block_count);
-  if (reader.has("polar_load"))
-    record.polar = polar_from(reader, reader.group("polar_load"));
+  if (reader.has("polar_load")) record.polar = polar_from(reader, reader.group("polar_load"));
   if (reader.has("goal")) {
     const Handle goal = reader.group("goal");
     record.goal = {reader.read_number(goal.id(), "target_relative_error"),

@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "mill/base/failure.h"
-#include "orchestrator/report/plots.h"
+#include "orchestrator/pictures/plots.h"
 #include "orchestrator/results/measured_charge.h"
 #include "tests/support/synthetic_campaign.h"
 

@@ -1,4 +1,4 @@
-#include "orchestrator/report/plots.h"
+#include "orchestrator/pictures/plots.h"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 
 #include "mill/base/constants.h"
 #include "mill/base/published_file.h"
-#include "orchestrator/report/gnuplot.h"
-#include "orchestrator/report/plot_style.h"
+#include "orchestrator/pictures/gnuplot.h"
+#include "orchestrator/pictures/plot_style.h"
 #include "orchestrator/results/measured_charge.h"
 
 namespace millwear::orchestrator {

@@ -1,4 +1,4 @@
-#include "orchestrator/report/gnuplot.h"
+#include "orchestrator/pictures/gnuplot.h"
 
 #include <fmt/format.h>
 #include <sys/mman.h>

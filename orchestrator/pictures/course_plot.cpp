@@ -1,4 +1,4 @@
-#include "orchestrator/report/course_plot.h"
+#include "orchestrator/pictures/course_plot.h"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 #include <iterator>
 
 #include "mill/base/contract.h"
-#include "orchestrator/report/gnuplot.h"
-#include "orchestrator/report/plot_style.h"
+#include "orchestrator/pictures/gnuplot.h"
+#include "orchestrator/pictures/plot_style.h"
 
 namespace millwear::orchestrator {
 namespace {

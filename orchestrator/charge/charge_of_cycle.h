@@ -1,0 +1,56 @@
+#pragma once
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mill/liner/liner_profile.h"
+#include "orchestrator/campaign/campaign.h"
+#include "wear/charge/charge_frames.h"
+#include "wear/charge/charge_landmarks.h"
+
+namespace millwear::orchestrator {
+
+/// A field over the mill's section.
+struct SectionMap {
+  std::string name;
+  std::string unit;
+  Eigen::VectorXd values;  ///< by cell of the grid; NaN where no particle came
+};
+
+/// How the charge looked in the measurement of one cycle, in the frame at rest.
+struct ChargeOfCycle {
+  int cycle;
+  LinerProfile liner;  ///< that it lay on, as the DEM turns it
+  wear::SectionGrid grid;
+  /// Those of `wear::FieldMap`, `mean_diameter` [m] and, of several materials, `share_of_MATERIAL`
+  /// of the mass.
+  std::vector<SectionMap> maps;
+  wear::ChargeLandmarks landmarks;
+  std::optional<wear::ChargeFrames> frames;  ///< of the first, the middle and the last cycle
+};
+
+/// A particle class by its names.
+struct ShownClass {
+  std::string name;
+  std::string material;
+  double diameter;  ///< [m]
+};
+
+/// The charge of a campaign.
+struct ShownCharge {
+  std::vector<ShownClass> classes;
+  double speed = 0.0;         ///< of the mill [rad/s]
+  double slice_length = 0.0;  ///< [m]
+  std::vector<ChargeOfCycle> cycles;
+};
+
+/// The charge of these cycles, without those that have no `charge.h5`: older programs wrote none.
+/// Throws DiskError, and ResultRejected where a file is damaged.
+[[nodiscard]] ShownCharge charge_of_cycles(const Campaign& campaign,
+                                           const std::vector<int>& cycles);
+
+/// The map of that name (std::logic_error without one).
+[[nodiscard]] const SectionMap& map_named(const ChargeOfCycle& charge, std::string_view name);
+
+}  // namespace millwear::orchestrator

@@ -1,0 +1,166 @@
+#include "orchestrator/report/charge_json.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "mill/base/number_or_null.h"
+#include "orchestrator/report/base64.h"
+#include "orchestrator/report/page_frames.h"
+
+namespace millwear::orchestrator {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t every_frame = 2;
+constexpr std::size_t most_frame_bytes = 1'600'000;  // of one cycle, before base64
+constexpr double outermost_share = 0.002;            // of the values, beyond the scale's ends
+
+template <class Integer>
+std::string base64_of(const std::vector<Integer>& values) {
+  static_assert(std::endian::native == std::endian::little);
+  return base64(
+      {reinterpret_cast<const std::uint8_t*>(values.data()), values.size() * sizeof(Integer)});
+}
+
+/// What the 255 values of a map stand for, the same in all cycles.
+struct Scale {
+  double low;
+  double high;
+};
+
+/// From the smallest to the largest of the values but for a few of the outermost. Shares, energies
+/// and powers begin at zero: what is below is elastic energy on its way.
+Scale scale_of(std::vector<double> values, const std::string& unit) {
+  if (unit == "1") return {0.0, 1.0};
+  std::erase_if(values, [](double value) { return !std::isfinite(value); });
+  if (values.empty()) return {0.0, 1.0};
+  const auto at = [&](double share) {
+    const auto rank = values.begin() +
+                      static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    std::ranges::nth_element(values, rank);
+    return *rank;
+  };
+  const bool begins_at_zero = unit != "m/s" && unit != "m";
+  const Scale scale{begins_at_zero ? 0.0 : at(outermost_share), at(1.0 - outermost_share)};
+  return scale.high > scale.low ? scale : Scale{scale.low, scale.low + 1.0};
+}
+
+Json json_of_map(const double* values, std::size_t count, const Scale& scale,
+                 const std::string& unit) {
+  std::vector<std::uint8_t> steps(count, 0);
+  for (std::size_t i = 0; i < count; ++i)
+    if (std::isfinite(values[i])) {
+      const double share = (values[i] - scale.low) / (scale.high - scale.low);
+      steps[i] = static_cast<std::uint8_t>(1.0 + std::round(254.0 * std::clamp(share, 0.0, 1.0)));
+    }
+  return {{"low", scale.low}, {"high", scale.high}, {"unit", unit}, {"values", base64_of(steps)}};
+}
+
+using Scales = std::map<std::string, Scale>;
+
+Scales map_scales(const std::vector<ChargeOfCycle>& cycles) {
+  std::map<std::string, std::vector<double>> values;
+  std::map<std::string, std::string> units;
+  for (const ChargeOfCycle& charge : cycles)
+    for (const SectionMap& map : charge.maps) {
+      auto& all = values[map.name];
+      all.insert(all.end(), map.values.begin(), map.values.end());
+      units[map.name] = map.unit;
+    }
+  Scales scales;
+  for (auto& [name, all] : values) scales[name] = scale_of(std::move(all), units.at(name));
+  return scales;
+}
+
+Json json_of(const Eigen::Vector2d& place) {
+  return {number_or_null(place.x()), number_or_null(place.y())};
+}
+
+Json json_of(const wear::ChargeLandmarks& landmarks) {
+  return {{"shoulder", number_or_null(landmarks.shoulder)},
+          {"bulk_toe", number_or_null(landmarks.bulk_toe)},
+          {"head", json_of(landmarks.head)},
+          {"centre", json_of(landmarks.centre)}};
+}
+
+Json json_of(const wear::ChargeFrames& frames) {
+  const PageFrames page = page_frames(frames, every_frame, most_frame_bytes);
+  return {{"particles", page.classes.size()},
+          {"thinning", page.thinning},
+          {"times", page.times},
+          {"mill_angles", page.mill_angles},
+          {"across", {frames.across.low, frames.across.high}},
+          {"along", {frames.along.low, frames.along.high}},
+          {"step", page.step},
+          {"classes", base64_of(page.classes)},
+          {"first", base64_of(page.first)},
+          {"moves", base64_of(page.moves)}};
+}
+
+Json json_of(const wear::PolarLoad& load, const std::vector<Scale>& scales) {
+  Json maps = Json::object();
+  for (std::size_t m = 0; m < wear::polar_measures.size(); ++m) {
+    const auto measure = index_of(wear::polar_measures[m]);
+    // Columns from six o'clock on, in place of from twelve.
+    const Eigen::Index half = wear::polar_columns / 2;
+    Eigen::MatrixXd turned(load.values[m].rows(), wear::polar_columns);
+    turned << load.values[m].rightCols(half), load.values[m].leftCols(half);
+    const Eigen::MatrixXd by_angle = turned.transpose();
+    maps[measure == index_of(Measure::samples) ? "contacts" : std::string(measure_names[measure])] =
+        json_of_map(by_angle.data(), static_cast<std::size_t>(by_angle.size()), scales[m],
+                    std::string(measure_units[measure]));
+  }
+  return {{"angles", wear::polar_columns}, {"maps", maps}};
+}
+
+std::vector<Scale> polar_scales(const std::vector<PolarLoadOfCycle>& loads) {
+  std::vector<Scale> scales;
+  for (std::size_t m = 0; m < wear::polar_measures.size(); ++m) {
+    std::vector<double> all;
+    for (const auto& load : loads)
+      all.insert(all.end(), load.load.values[m].reshaped().begin(),
+                 load.load.values[m].reshaped().end());
+    scales.push_back(scale_of(std::move(all), "J"));
+  }
+  return scales;
+}
+
+}  // namespace
+
+std::string charge_json(const CampaignResults& data) {
+  const Scales scales = map_scales(data.charge.cycles);
+  const std::vector<Scale> around = polar_scales(data.polar);
+  Json cycles = Json::array();
+  for (const ChargeOfCycle& charge : data.charge.cycles) {
+    Json maps = Json::object();
+    for (const SectionMap& map : charge.maps)
+      maps[map.name] = json_of_map(map.values.data(), static_cast<std::size_t>(map.values.size()),
+                                   scales.at(map.name), map.unit);
+    const auto polar = std::ranges::find(data.polar, charge.cycle, &PolarLoadOfCycle::cycle);
+    Json liner = Json::array();
+    for (const auto& node : charge.liner.nodes) liner.push_back(json_of(node));
+    cycles.push_back(
+        {{"cycle", charge.cycle},
+         {"liner", liner},
+         {"section", {{"half_width", charge.grid.half_width}, {"cells", charge.grid.cells}}},
+         {"maps", maps},
+         {"landmarks", json_of(charge.landmarks)},
+         {"around", polar == data.polar.end() ? Json(nullptr) : json_of(polar->load, around)},
+         {"frames", charge.frames ? json_of(*charge.frames) : Json(nullptr)}});
+  }
+  Json classes = Json::array();
+  for (const ShownClass& one : data.charge.classes)
+    classes.push_back({{"name", one.name}, {"material", one.material}, {"diameter", one.diameter}});
+  return Json{{"classes", classes},
+              {"speed", data.charge.speed},
+              {"slice_length", data.charge.slice_length},
+              {"cycles", cycles}}
+      .dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace millwear::orchestrator

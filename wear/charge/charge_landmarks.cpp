@@ -1,0 +1,143 @@
+#include "wear/charge/charge_landmarks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+namespace millwear::wear {
+namespace {
+
+using Eigen::ArrayXd;
+using Eigen::Index;
+using Eigen::Vector2d;
+using std::numbers::pi;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr Index degrees = 360;
+constexpr Index smoothed_over = 3;  // degrees to either side
+constexpr double bulk_percentile = 0.9;
+constexpr double share_of_bulk = 0.5;
+constexpr double reached_share = 0.01;
+
+using Grid = Eigen::Map<const Eigen::ArrayXXd>;
+
+/// A sum over the section, columns (along x) by rows (along z).
+Grid grid_of(const ChargeFields& fields, FieldSum sum) {
+  return {fields.sums.col(static_cast<Index>(sum)).data(), fields.grid.cells, fields.grid.cells};
+}
+
+double coordinate(const SectionGrid& grid, double line) {
+  return (line + 0.5) * grid.cell_size() - grid.half_width;
+}
+
+/// The value between the middles of the four cells around a place.
+double interpolated(const Grid& values, const SectionGrid& grid, const Vector2d& place) {
+  const Vector2d at = (place.array() + grid.half_width) / grid.cell_size() - 0.5;
+  const auto inside = [&](double line) {
+    return std::clamp(static_cast<Index>(line), Index{0}, Index{grid.cells} - 1);
+  };
+  const Vector2d low = at.array().floor();
+  const Vector2d share = at - low;
+  double value = 0.0;
+  for (const int right : {0, 1})
+    for (const int above : {0, 1})
+      value += (right == 1 ? share.x() : 1.0 - share.x()) *
+               (above == 1 ? share.y() : 1.0 - share.y()) *
+               values(inside(low.x() + right), inside(low.y() + above));
+  return value;
+}
+
+Index around(Index degree) { return (degree % degrees + degrees) % degrees; }
+
+/// The occupied share on a circle, by degree from six o'clock along the rotation.
+ArrayXd occupied_around(const ChargeFields& fields, double radius) {
+  const Grid solid = grid_of(fields, FieldSum::solid);
+  ArrayXd raw(degrees);
+  for (Index i = 0; i < degrees; ++i) {
+    const double angle = static_cast<double>(i) * pi / 180.0;
+    raw[i] =
+        interpolated(solid, fields.grid, {-radius * std::sin(angle), -radius * std::cos(angle)});
+  }
+  ArrayXd smooth = ArrayXd::Zero(degrees);
+  for (Index i = 0; i < degrees; ++i)
+    for (Index j = -smoothed_over; j <= smoothed_over; ++j) smooth[i] += raw[around(i + j)];
+  return smooth / (2.0 * smoothed_over + 1.0);
+}
+
+double percentile(const ArrayXd& values, double share) {
+  std::vector<double> sorted(values.begin(), values.end());
+  const auto rank =
+      sorted.begin() + static_cast<Index>(share * static_cast<double>(sorted.size() - 1));
+  std::ranges::nth_element(sorted, rank);
+  return *rank;
+}
+
+/// Degrees from six o'clock where the values fall below a level, on the way from `from`.
+std::optional<double> falls_below(const ArrayXd& values, double level, Index from, int direction) {
+  for (Index step = 0; step < degrees; ++step) {
+    const double here = values[around(from + direction * step)];
+    const double next = values[around(from + direction * (step + 1))];
+    if (next < level)
+      return static_cast<double>(from) +
+             direction * (static_cast<double>(step) + (here - level) / (here - next));
+  }
+  return std::nullopt;
+}
+
+double from_three_oclock(const std::optional<double>& degrees_from_six) {
+  if (!degrees_from_six) return nan;
+  return std::fmod(*degrees_from_six * pi / 180.0 + 3.5 * pi, 2.0 * pi);
+}
+
+Vector2d head_of(const ChargeFields& fields) {
+  const Eigen::ArrayXXd occupied = grid_of(fields, FieldSum::solid) / fields.instants;
+  for (Index row = occupied.cols(); row-- > 0;) {
+    Index column = 0;
+    if (occupied.col(row).maxCoeff(&column) > reached_share)
+      return {coordinate(fields.grid, static_cast<double>(column)),
+              coordinate(fields.grid, static_cast<double>(row))};
+  }
+  return {nan, nan};
+}
+
+/// Where a parabola through three neighbouring values is greatest, from the middle one, -0.5 to
+/// 0.5.
+double greatest_between(double before, double middle, double after) {
+  const double bend = before - 2.0 * middle + after;
+  return bend < 0.0 ? std::clamp(0.5 * (before - after) / bend, -0.5, 0.5) : 0.0;
+}
+
+Vector2d centre_of_circulation(const ChargeFields& fields) {
+  Eigen::ArrayXXd stream = grid_of(fields, FieldSum::momentum_z);
+  for (Index column = 1; column < stream.rows(); ++column)
+    stream.row(column) += stream.row(column - 1);
+  Index column = 0;
+  Index row = 0;
+  if (!(stream.maxCoeff(&column, &row) > 0.0) || column == 0 || row == 0 ||
+      column == stream.rows() - 1 || row == stream.cols() - 1)
+    return {nan, nan};
+  const auto at = [&](Index dx, Index dz) { return stream(column + dx, row + dz); };
+  // The stream function of a cell's column holds up to its right edge.
+  return {coordinate(fields.grid, static_cast<double>(column) + 0.5 +
+                                      greatest_between(at(-1, 0), at(0, 0), at(1, 0))),
+          coordinate(fields.grid,
+                     static_cast<double>(row) + greatest_between(at(0, -1), at(0, 0), at(0, 1)))};
+}
+
+}  // namespace
+
+ChargeLandmarks landmarks_of(const ChargeFields& fields, double radius) {
+  ChargeLandmarks found{nan, nan, head_of(fields), centre_of_circulation(fields)};
+  const ArrayXd occupied = occupied_around(fields, radius);
+  Index fullest = 0;
+  if (!(occupied.maxCoeff(&fullest) > 0.0)) return found;
+  const double level = share_of_bulk * percentile(occupied, bulk_percentile);
+  found.shoulder = from_three_oclock(falls_below(occupied, level, fullest, 1));
+  found.bulk_toe = from_three_oclock(falls_below(occupied, level, fullest, -1));
+  return found;
+}
+
+}  // namespace millwear::wear

@@ -9,6 +9,7 @@
 #include "mill/base/whole_file.h"
 #include "orchestrator/calibration/course_calibration.h"
 #include "orchestrator/gauge/gauge_folder.h"
+#include "orchestrator/pictures/charge_pictures.h"
 #include "orchestrator/pictures/plots.h"
 #include "orchestrator/report/report.h"
 #include "orchestrator/results/gather.h"
@@ -36,17 +37,28 @@ CampaignResults publish_campaign(const OpenCampaign& opened,
   const auto& [campaign, ledger] = opened;
   CampaignResults data = gather(campaign, ledger);
   add_readings_of(campaign.mill, readings, data);
+  add_kept_pictures(campaign, ledger, data.charge);
   publish_results(campaign, ledger, data);
   publish(campaign.folder.report(), report_html(data));
   return data;
 }
 
-void publish_pictures_if_possible(const RunFolder& folder, const CampaignResults& data,
+void publish_pictures(const OpenCampaign& opened, const std::set<int>& chosen,
+                      CampaignResults& data) {
+  const auto& [campaign, ledger] = opened;
+  write_plots(data, campaign.folder.results());
+  std::set<int> cycles = first_and_last(data.charge);
+  cycles.insert(chosen.begin(), chosen.end());
+  if (draw_charge_pictures(campaign, ledger, cycles, data.charge))
+    publish(campaign.folder.report(), report_html(data));
+}
+
+void publish_pictures_if_possible(const OpenCampaign& opened, CampaignResults& data,
                                   Progress& progress) {
   try {
-    write_plots(data, folder.results());
+    publish_pictures(opened, {}, data);
   } catch (const ExternalProgramError& problem) {
-    progress.say(std::string("no pictures in results/: ") + problem.what());
+    progress.say(std::string("pictures are missing in results/: ") + problem.what());
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "orchestrator/app/common_options.h"
@@ -15,8 +16,14 @@ namespace millwear::orchestrator {
 CampaignResults publish_campaign(const OpenCampaign& opened,
                                  const std::optional<std::filesystem::path>& readings);
 
-/// Draws the pictures. They are a convenience: a campaign does not fail for want of gnuplot.
-void publish_pictures_if_possible(const RunFolder& folder, const CampaignResults& data,
+/// Draws the pictures of a published campaign, and writes the report again with those of the charge
+/// of the first, the last and the `chosen` cycles. Throws ExternalProgramError where gnuplot or
+/// tachyon is missing or fails.
+void publish_pictures(const OpenCampaign& opened, const std::set<int>& chosen,
+                      CampaignResults& data);
+
+/// The same at the end of a run: a campaign does not fail for want of a program that draws.
+void publish_pictures_if_possible(const OpenCampaign& opened, CampaignResults& data,
                                   Progress& progress);
 
 /// "worn out at 2104 h: lifter 18.0 mm high, ..."

@@ -13,6 +13,11 @@ void add_options(CLI::App& verb, ReportOptions& options) {
   add_options(verb, options.common);
   add_campaign_folder(verb, options.out);
   add_readings_folder(verb, options.readings);
+  verb.add_flag("!--no-pictures", options.pictures, "Draw no pictures");
+  verb.add_option("--pictures-of", options.picture_cycles,
+                  "Cycles of which all pictures of the charge are drawn, besides the first and the "
+                  "last, such as 3,5")
+      ->delimiter(',');
 }
 
 void report_verb(const ReportOptions& options) {
@@ -21,9 +26,8 @@ void report_verb(const ReportOptions& options) {
   const OpenCampaign opened = campaign_of(mill, folder);
   const RunLock lock(folder.lock());
   check_outputs(opened.ledger, folder.root);
-  const CampaignResults data = publish_campaign(opened, options.readings);
-  Progress progress(options.common.verbosity);
-  publish_pictures_if_possible(folder, data, progress);
+  CampaignResults data = publish_campaign(opened, options.readings);
+  if (options.pictures) publish_pictures(opened, options.picture_cycles, data);
   print_outcome(options.common.form, folder, data);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <optional>
+#include <set>
 
 #include "orchestrator/app/common_options.h"
 
@@ -11,6 +12,8 @@ struct ReportOptions {
   CommonOptions common;
   std::filesystem::path out;                      ///< empty: runs/NAME
   std::optional<std::filesystem::path> readings;  ///< folder of the gauge readings
+  bool pictures = true;
+  std::set<int> picture_cycles{};  ///< with all pictures, besides the first and the last
 };
 
 void add_options(CLI::App& verb, ReportOptions& options);

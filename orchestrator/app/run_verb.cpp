@@ -239,8 +239,8 @@ void run_verb(const RunOptions& options) {
   if (options.until) plan.until = stage_from(*options.until);
   const Ledger finished = run_campaign(opened.ledger, plan, effects);
   // Once more at the end: an earlier process may have died between its last stage and its results.
-  const CampaignResults data = publish_campaign({campaign, finished}, {});
-  publish_pictures_if_possible(folder, data, progress);
+  CampaignResults data = publish_campaign({campaign, finished}, {});
+  publish_pictures_if_possible({campaign, finished}, data, progress);
   progress.detail(fmt::format("{:.1f} s of processor time went elsewhere than into LIGGGHTS",
                               static_cast<double>(std::clock()) / CLOCKS_PER_SEC));
   print_outcome(options.common.form, folder, data);

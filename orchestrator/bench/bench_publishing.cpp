@@ -29,7 +29,7 @@ int main() {
     const auto results = orchestrator::gather(campaign, ledger);
     const auto known = now();
     orchestrator::publish_results(campaign, ledger, results);
-    publish(campaign.folder.report(), orchestrator::report_html(results));
+    millwear::publish(campaign.folder.report(), orchestrator::report_html(results));
     const auto end = now();
     gathered.push_back(known - begin);
     published.push_back(end - begin);

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,7 +28,8 @@ struct ChargeOfCycle {
   /// of the mass.
   std::vector<SectionMap> maps;
   wear::ChargeLandmarks landmarks;
-  std::optional<wear::ChargeFrames> frames;  ///< of the first, the middle and the last cycle
+  std::optional<wear::ChargeFrames> frames;       ///< of the first, the middle and the last cycle
+  std::map<std::string, std::string> pictures{};  ///< JPEG by name, as far as they are drawn
 };
 
 /// A particle class by its names.

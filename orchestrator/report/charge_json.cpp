@@ -142,6 +142,9 @@ std::string charge_json(const CampaignResults& data) {
       maps[map.name] = json_of_map(map.values.data(), static_cast<std::size_t>(map.values.size()),
                                    scales.at(map.name), map.unit);
     const auto polar = std::ranges::find(data.polar, charge.cycle, &PolarLoadOfCycle::cycle);
+    Json pictures = Json::object();
+    for (const auto& [name, jpeg] : charge.pictures)
+      pictures[name] = "data:image/jpeg;base64," + base64_of(std::vector(jpeg.begin(), jpeg.end()));
     Json liner = Json::array();
     for (const auto& node : charge.liner.nodes) liner.push_back(json_of(node));
     cycles.push_back(
@@ -151,7 +154,8 @@ std::string charge_json(const CampaignResults& data) {
          {"maps", maps},
          {"landmarks", json_of(charge.landmarks)},
          {"around", polar == data.polar.end() ? Json(nullptr) : json_of(polar->load, around)},
-         {"frames", charge.frames ? json_of(*charge.frames) : Json(nullptr)}});
+         {"frames", charge.frames ? json_of(*charge.frames) : Json(nullptr)},
+         {"pictures", pictures}});
   }
   Json classes = Json::array();
   for (const ShownClass& one : data.charge.classes)

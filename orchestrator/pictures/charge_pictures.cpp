@@ -1,0 +1,166 @@
+#include "orchestrator/pictures/charge_pictures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <future>
+#include <string_view>
+
+#include "mill/base/published_file.h"
+#include "orchestrator/loads/cycle_load.h"
+#include "orchestrator/loads/kept_file.h"
+#include "orchestrator/pictures/charge_views.h"
+#include "orchestrator/pictures/field_pictures.h"
+#include "orchestrator/pictures/polar_picture.h"
+#include "orchestrator/process/child_process.h"
+#include "orchestrator/process/usable_cores.h"
+
+namespace millwear::orchestrator {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What the pictures of one cycle are drawn from.
+struct PictureSource {
+  const ShownCharge& charge;
+  const ChargeOfCycle& cycle;
+  const CycleLoad& load;
+  double fastest;  ///< [m/s], at the end of the scale of speeds
+
+  [[nodiscard]] ChargeAtInstant instant(Colouring colouring) const {
+    return {*cycle.frames, cycle.liner, colouring, class_colours(charge.classes), fastest};
+  }
+};
+
+/// A picture without a JPEG stays out of the page, which draws its own from the data.
+ChargePicture only_png(std::string png) { return {std::move(png), ""}; }
+
+enum class Wanted { of_every_cycle, of_chosen_cycles };
+
+struct PictureKind {
+  std::string_view name;
+  Wanted wanted;
+  ChargePicture (*draw)(const PictureSource& source);
+};
+
+const std::vector<PictureKind> kinds{
+    {"section", Wanted::of_every_cycle,
+     [](const PictureSource& s) { return section_picture(s.instant(Colouring::speed)); }},
+    {"close_up", Wanted::of_every_cycle,
+     [](const PictureSource& s) { return close_up_picture(s.instant(Colouring::speed)); }},
+    {"section_by_size", Wanted::of_chosen_cycles,
+     [](const PictureSource& s) { return section_picture(s.instant(Colouring::size)); }},
+    {"slice", Wanted::of_chosen_cycles,
+     [](const PictureSource& s) { return slice_picture(s.instant(Colouring::speed)); }},
+    {"streaks", Wanted::of_chosen_cycles,
+     [](const PictureSource& s) { return only_png(streaks_picture(s.cycle, s.fastest)); }},
+    {"occupancy", Wanted::of_chosen_cycles,
+     [](const PictureSource& s) { return only_png(occupancy_picture(s.cycle)); }},
+    {"velocity", Wanted::of_chosen_cycles,
+     [](const PictureSource& s) { return only_png(velocity_picture(s.cycle, s.fastest)); }},
+    {"collision_power", Wanted::of_chosen_cycles,
+     [](const PictureSource& s) { return only_png(collision_power_picture(s.cycle)); }},
+    {"segregation", Wanted::of_chosen_cycles,
+     [](const PictureSource& s) { return only_png(segregation_picture(s.cycle)); }},
+    {"polar", Wanted::of_chosen_cycles, [](const PictureSource& s) {
+       return only_png(s.load.polar ? polar_picture(*s.load.polar, s.load.along) : "");
+     }}};
+
+fs::path png_file(const Campaign& campaign, int cycle, std::string_view name) {
+  return campaign.folder.results() / "pictures" / fmt::format("cycle_{:03}_{}.png", cycle, name);
+}
+
+fs::path jpeg_file(const Campaign& campaign, int cycle, std::string_view name) {
+  return kept_file(campaign.folder, cycle, fmt::format("picture_{}", name));
+}
+
+/// What the pictures of a cycle follow from: it changes with the program, too.
+std::string key_of(const Campaign& campaign, const Ledger& ledger, int cycle) {
+  const LedgerEntry* entry = ledger.find({cycle, StageKind::dem});
+  return kept_key(campaign.mill, entry->outputs.at(stage_files::charge));
+}
+
+struct CycleWork {
+  ChargeOfCycle& cycle;
+  std::string key;
+  std::vector<const PictureKind*> missing{};
+};
+
+/// Takes the kept pictures of a cycle and notes which of the wanted are missing.
+CycleWork work_of(const Campaign& campaign, const Ledger& ledger, bool chosen,
+                  ChargeOfCycle& cycle) {
+  CycleWork work{cycle, key_of(campaign, ledger, cycle.cycle)};
+  for (const PictureKind& kind : kinds) {
+    const auto kept = kept_bytes(jpeg_file(campaign, cycle.cycle, kind.name), work.key);
+    if (kept && !kept->empty()) cycle.pictures[std::string(kind.name)] = *kept;
+    const bool wanted = chosen || kind.wanted == Wanted::of_every_cycle;
+    const bool lies_there = kept && fs::exists(png_file(campaign, cycle.cycle, kind.name));
+    if (wanted && !lies_there) work.missing.push_back(&kind);
+  }
+  return work;
+}
+
+void draw(const Campaign& campaign, const ShownCharge& charge, CycleWork& work) {
+  if (work.missing.empty()) return;
+  const int number = work.cycle.cycle;
+  const ShownCharge whole = charge_of_cycles(campaign, {number});
+  if (!whole.cycles.front().frames) return;
+  const CycleLoad load = load_of_cycle(campaign, number);
+  const PictureSource source{charge, whole.cycles.front(), load,
+                             speed_scale(2.0 * campaign.mill.liner.sector.shell_radius)};
+  for (const PictureKind* kind : work.missing) {
+    const ChargePicture picture = kind->draw(source);
+    if (!picture.png.empty()) publish(png_file(campaign, number, kind->name), picture.png);
+    keep(jpeg_file(campaign, number, kind->name), work.key, picture.jpeg);
+    if (!picture.jpeg.empty()) work.cycle.pictures[std::string(kind->name)] = picture.jpeg;
+  }
+}
+
+std::vector<CycleWork> works_of(const Campaign& campaign, const Ledger& ledger,
+                                const std::set<int>& chosen, ShownCharge& charge) {
+  std::vector<CycleWork> works;
+  for (ChargeOfCycle& cycle : charge.cycles)
+    works.push_back(work_of(campaign, ledger, chosen.contains(cycle.cycle), cycle));
+  return works;
+}
+
+/// Throws ExternalProgramError before anything is drawn.
+void check_renderers() {
+  static_cast<void>(program_on_path("tachyon", "tachyon-bin-nox"));
+  static_cast<void>(program_on_path("gnuplot", "gnuplot-nox"));
+}
+
+}  // namespace
+
+bool draw_charge_pictures(const Campaign& campaign, const Ledger& ledger,
+                          const std::set<int>& chosen, ShownCharge& charge) {
+  auto works = works_of(campaign, ledger, chosen, charge);
+  const auto complete = [](const CycleWork& work) { return work.missing.empty(); };
+  if (std::ranges::all_of(works, complete)) return false;
+  check_renderers();
+  fs::create_directories(campaign.folder.results() / "pictures");
+  std::atomic<std::size_t> next = 0;
+  const auto draw_some = [&] {
+    for (std::size_t i = next++; i < works.size(); i = next++) draw(campaign, charge, works[i]);
+  };
+  std::vector<std::future<void>> workers;
+  for (int i = 1; i < usable_cores(); ++i)
+    workers.push_back(std::async(std::launch::async, draw_some));
+  draw_some();
+  for (auto& worker : workers) worker.get();
+  return true;
+}
+
+void add_kept_pictures(const Campaign& campaign, const Ledger& ledger, ShownCharge& charge) {
+  static_cast<void>(works_of(campaign, ledger, {}, charge));
+}
+
+std::set<int> first_and_last(const ShownCharge& charge) {
+  if (charge.cycles.empty()) return {};
+  return {charge.cycles.front().cycle, charge.cycles.back().cycle};
+}
+
+}  // namespace millwear::orchestrator

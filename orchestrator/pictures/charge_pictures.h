@@ -1,0 +1,25 @@
+#pragma once
+#include <set>
+
+#include "orchestrator/campaign/campaign.h"
+#include "orchestrator/campaign/ledger.h"
+#include "orchestrator/results/campaign_results.h"
+
+namespace millwear::orchestrator {
+
+/// The pictures of the charge: of every cycle that recorded it the section and the close-up of the
+/// lifters, and of `chosen` cycles all there are. Each is drawn once and kept for the page beside
+/// its cycle, and lies as PNG in `results/pictures/cycle_NNN_NAME.png`.
+/// Puts them into `data.charge`, and says whether one was drawn. Cycles are drawn side by side on
+/// the cores there are. Throws ExternalProgramError where tachyon or gnuplot is missing or fails,
+/// DiskError where a picture cannot be written; what was drawn before stays.
+bool draw_charge_pictures(const Campaign& campaign, const Ledger& ledger,
+                          const std::set<int>& chosen, ShownCharge& charge);
+
+/// Puts the pictures that were kept into `charge`.
+void add_kept_pictures(const Campaign& campaign, const Ledger& ledger, ShownCharge& charge);
+
+/// The first and the last cycle that recorded the charge.
+[[nodiscard]] std::set<int> first_and_last(const ShownCharge& charge);
+
+}  // namespace millwear::orchestrator

@@ -1,0 +1,26 @@
+#pragma once
+#include <vector>
+
+#include "orchestrator/charge/charge_of_cycle.h"
+#include "orchestrator/pictures/composed.h"
+#include "orchestrator/pictures/scene.h"
+
+namespace millwear::orchestrator {
+
+/// What the colours of particles tell.
+enum class Colouring { speed, size };
+
+/// The speed at the end of the scale [m/s]: three quarters of that after a fall through the mill,
+/// sqrt(2 g D), rounded. The same for every cycle of a campaign.
+[[nodiscard]] double speed_scale(double diameter);
+
+/// A colour for every particle class: blue for the first material, brown for the second, the
+/// smaller the brighter.
+[[nodiscard]] std::vector<ColouredName> class_colours(const std::vector<ShownClass>& classes);
+
+/// The particles of the first frame.
+[[nodiscard]] std::vector<Sphere> spheres_of(const wear::ChargeFrames& frames, Colouring colouring,
+                                             const std::vector<ColouredName>& classes,
+                                             double fastest);
+
+}  // namespace millwear::orchestrator

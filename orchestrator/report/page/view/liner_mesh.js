@@ -18,6 +18,10 @@ function trianglesOf(polygon) {
   return triangles;
 }
 
+/** A place in the section turned by an angle the way that the mill turns. */
+const turnedAlong = ([x, z], angle) =>
+  [x * Math.cos(angle) + z * Math.sin(angle), z * Math.cos(angle) - x * Math.sin(angle)];
+
 /** The shell of a sector, from the last node to the first, in the section. */
 function shellBehind(nodes) {
   const angles = [nodes[nodes.length - 1], nodes[0]].map(([x, z]) => Math.atan2(-x, -z));
@@ -42,6 +46,8 @@ function addStrip(add, line, ends) {
  */
 function sectorMesh(outline) {
   const nodes = outline.map(([xi, eta]) => [-xi, eta - data.sector.plate_radius]);
+  // Sectors overlap by a hair, so that nothing shines through between two of them.
+  for (const [end, angle] of [[0, -1e-4], [nodes.length - 1, 1e-4]]) nodes[end] = turnedAlong(nodes[end], angle);
   const shell = shellBehind(nodes);
   const ends = [0, data.charge.slice_length];
   const vertices = [];

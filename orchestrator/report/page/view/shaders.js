@@ -9,8 +9,8 @@ vec4 seen(vec3 place) { return vec4(lens.xy * place.xy, lens.z * place.z + lens.
 /** The light comes from the left above the eye. */
 const lightShader = `
 vec3 lit(vec3 colour, vec3 normal) {
-  float towards = 0.5 + 0.5 * dot(normal, normalize(vec3(-0.45, 0.75, 0.6)));
-  return colour * (0.32 + 0.78 * towards * towards);
+  float towards = 0.5 + 0.5 * dot(normal, normalize(vec3(-0.35, 0.6, 0.9)));
+  return colour * (0.4 + 0.7 * towards * towards);
 }
 `;
 

@@ -68,5 +68,6 @@ function steer(canvas, camera, changed) {
   steerByKeys(canvas, camera, changed);
   steerByPointers(canvas, camera, changed);
   steerByWheel(canvas, camera, changed);
+  canvas.addEventListener("click", () => canvas.focus({preventScroll: true}));
   canvas.addEventListener("dblclick", () => { lookAlongAxis(camera); changed(); });
 }

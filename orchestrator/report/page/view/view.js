@@ -8,9 +8,10 @@ function colouringChoice(panes, changed) {
   const legend = element("div", {class: "legend"});
   let colouring = null;
   const update = () => {
-    colouring = colouringsOf(d3.max(panes, (pane) => pane.one.fast()))[choice.value];
+    colouring = colouringsOf(d3.max(panes, (pane) => pane.one.movement().fast))[choice.value];
     legend.replaceChildren();
     colouring.legend(legend);
+    for (const pane of panes) pane.describe();
     changed();
   };
   choice.addEventListener("change", update);
@@ -61,10 +62,13 @@ function fillChargeView(section, viewed) {
   section.append(
     element("form", {class: "controls", autocomplete: "off"}, ...controls.parts, colouring.control, front),
     colouring.legend, element("div", {class: "pair"}, ...panes.map((pane) => pane.figure)),
-    element("p", {class: "caption", id: "charge-view-keys"}, viewKeys));
-  whenNear(section, () => panes.forEach((pane) => pane.start()), (seen) => {
+    element("p", {class: "caption on-screen", id: "charge-view-keys"}, viewKeys));
+  whenNear(section, () => {
+    section.classList.toggle("flat", !panes.map((pane) => pane.start()).every(Boolean));
+    colouring.update();
+  }, (seen) => {
     near = seen;
-    if (near) colouring.update();
+    redraw();
   });
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redraw);
 }
@@ -78,7 +82,7 @@ function startChargeView(section) {
     section.append(element("p", {class: "nothing"}, "No frames of the charge were kept in this run."));
     return;
   }
-  section.append(element("p", {}, `The first moments of a measurement, ${slowedDown} times slower than the mill turns. Between two ` +
+  section.append(element("p", {class: "on-screen"}, `The first moments of a measurement, ${slowedDown} times slower than the mill turns. Between two ` +
     `frames the particles move on straight lines. The slice is ${Number(data.charge.slice_length.toPrecision(3))} m long; the pictures show it without end walls.`));
   fillChargeView(section, cycles.map(viewedCharge));
 }

@@ -1,4 +1,5 @@
-const rampOf = (...colours) => d3.scale.linear().domain(colours.map((colour, i) => i / (colours.length - 1))).range(colours).interpolate(d3.interpolateLab);
+const rampOf = (...colours) => d3.scale.linear().domain(colours.map((colour, i) => i / (colours.length - 1)))
+  .range(colours).interpolate(d3.interpolateLab);
 const speedRamp = rampOf("#3b3f8f", "#2a7fa5", "#35a884", "#a9cf4b", "#ffe25a");
 const sizeRamp = rampOf("#f2c14e", "#e0703a", "#a9407a", "#4c62b8");
 const materialColours = ["#6d8fb3", "#c58b45", "#5f9f62", "#a7619b", "#8a8a8a"];
@@ -17,7 +18,7 @@ function paletteOf(colourAt) {
 /** Particles by what `of` gives for their class, in the order of `values`. */
 function colouringByClass(of, values, colours, text) {
   const colourOf = (one) => colours[values.indexOf(of(one))];
-  return {entry: 0, palette: paletteOf((i) => data.charge.classes[i] ? colourOf(data.charge.classes[i]) : "#000"),
+  return {entry: 0, fast: 1, palette: paletteOf((i) => data.charge.classes[i] ? colourOf(data.charge.classes[i]) : "#000"),
     legend: (place) => key(place, values.map((value, i) => ({name: text(value), style: "block", colour: colours[i]})))};
 }
 
@@ -35,15 +36,16 @@ function colouringByMaterial() {
 /** From 0 to `fast` [m/s]; what is faster has the last colour. */
 function colouringBySpeed(fast) {
   const stops = d3.range(0, 9).map((i) => speedRamp(i / 8)).join(",");
-  const wall = data.charge.speed * data.sector.plate_radius;
+  const plate = data.charge.speed * data.sector.plate_radius;
   return {entry: 1, fast, palette: paletteOf((i) => speedRamp(i / 255)), legend: (place) => place.append(element("p", {class: "key"},
     element("span", {}, "0 ", element("i", {class: "ramp", style: `background:linear-gradient(90deg,${stops})`}),
-      `${significant(2)(fast)} m/s and more`), element("span", {}, `the new plate moves with ${significant(2)(wall)} m/s`)))};
+      `${significant(2)(fast)} m/s and more`), element("span", {}, `the new plate moves with ${significant(2)(plate)} m/s`)))};
 }
 
 function colouringByMill() {
-  return {entry: 2, palette: paletteOf((i) => withMillColours[Math.min(i, 1)]), legend: (place) => key(place, [
-    {name: `moves with the mill: velocity within ${inPercent(slipOfWall)} % of the wall's rotation there`, style: "block", colour: withMillColours[1]},
+  return {entry: 2, fast: 1, palette: paletteOf((i) => withMillColours[Math.min(i, 1)]), legend: (place) => key(place, [
+    {name: `moves with the mill: velocity within ${inPercent(slipOfWall)} % of the wall's rotation there`, style: "block",
+      colour: withMillColours[1]},
     {name: "does not", style: "block", colour: withMillColours[0]}])};
 }
 

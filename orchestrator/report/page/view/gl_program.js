@@ -1,4 +1,4 @@
-/** Compiles and links {vertex, fragment}: {handle, uniforms: by name their place and type}. */
+/** Compiles and links {vertex, fragment}: {handle, uniforms: by name their place and type}; null where the driver refuses. */
 function linkedProgram(gl, {vertex, fragment}) {
   const handle = gl.createProgram();
   for (const [kind, text] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]]) {
@@ -8,10 +8,11 @@ function linkedProgram(gl, {vertex, fragment}) {
     gl.attachShader(handle, shader);
   }
   gl.linkProgram(handle);
-  const linked = gl.getProgramParameter(handle, gl.LINK_STATUS);
-  if (!linked && !gl.isContextLost())
-    throw new Error(gl.getAttachedShaders(handle).map((shader) => gl.getShaderInfoLog(shader)).join("\n"));
-  const uniforms = d3.range(linked ? gl.getProgramParameter(handle, gl.ACTIVE_UNIFORMS) : 0).map((i) => gl.getActiveUniform(handle, i))
+  if (!gl.getProgramParameter(handle, gl.LINK_STATUS)) {
+    console.error(gl.getProgramInfoLog(handle));
+    return null;
+  }
+  const uniforms = d3.range(gl.getProgramParameter(handle, gl.ACTIVE_UNIFORMS)).map((i) => gl.getActiveUniform(handle, i))
     .map(({name, type}) => [name, {type, place: gl.getUniformLocation(handle, name)}]);
   return {handle, uniforms: new Map(uniforms)};
 }

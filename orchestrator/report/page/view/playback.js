@@ -17,7 +17,7 @@ function playbackOf(duration) {
 function playbackControls(playback, changed) {
   const button = element("button", {type: "button"}, "Play");
   const slider = element("input", {type: "range", min: 0, max: playback.duration, step: playback.duration / 200, value: 0, "aria-label": "Time"});
-  const said = element("output", {});
+  const said = element("span", {});
   const show = () => {
     const words = fixed(3)(playback.time) + " s";
     slider.value = playback.time;

@@ -52,13 +52,14 @@ function paletteTexture(gl) {
 const shares = (colour) => { const {r, g, b} = d3.rgb(colour); return [r / 255, g / 255, b / 255]; };
 
 /**
- * What a canvas shows: draw(charge of a cycle, time [s], camera, colouring). Nothing without WebGL 2.
+ * What a canvas shows: draw(charge of a cycle, time [s], camera, colouring). Null without WebGL 2.
  * A lost context loses all of it; then a new scene is made.
  */
 function chargeScene(canvas) {
   const gl = canvas.getContext("webgl2", {alpha: false});
   if (!gl) return null;
   const [spheres, liner] = [sphereShaders, linerShaders].map((shaders) => linkedProgram(gl, shaders));
+  if (!spheres || !liner) return null;
   const fillPalette = paletteTexture(gl);
   const uploaded = new Map();
   const drawingsOf = (one) => {
@@ -79,6 +80,7 @@ function chargeScene(canvas) {
     const seen = cameraUniforms(camera, canvas.width / canvas.height);
     drawLiner({...seen, millAngle: from + share * (to - from), colour: shares(style.color)});
     fillPalette(colouring.palette);
-    drawSpheres({...seen, share, duration, pixel: 2 / (focalLength * canvas.height), colouring: colouring.entry, fast: colouring.fast}, interval);
+    const pixel = 2 / (focalLength * canvas.height);
+    drawSpheres({...seen, share, duration, pixel, colouring: colouring.entry, fast: colouring.fast}, interval);
   }};
 }

@@ -10,7 +10,7 @@ vec4 seen(vec3 place) { return vec4(lens.xy * place.xy, lens.z * place.z + lens.
 const lightShader = `
 vec3 lit(vec3 colour, vec3 normal) {
   float towards = 0.5 + 0.5 * dot(normal, normalize(vec3(-0.35, 0.6, 0.9)));
-  return colour * (0.4 + 0.7 * towards * towards);
+  return colour * (0.36 + 0.64 * towards * towards);
 }
 `;
 

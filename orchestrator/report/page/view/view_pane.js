@@ -1,9 +1,8 @@
 /** What a view needs of a cycle's charge, each worked out when it is first asked for. */
 function viewedCharge(charge) {
   const once = (make) => { let made = null; return () => made || (made = make()); };
-  const load = data.loads.find((one) => one.cycle === charge.cycle) || {cycle: charge.cycle, centres: []};
   const frames = once(() => decodedFrames(charge.frames));
-  return {charge, frames, mesh: once(() => sectorMesh(outlineOf(load))), movement: once(() => movementOf(frames()))};
+  return {charge, frames, mesh: once(() => sectorMesh(charge.liner)), movement: once(() => movementOf(frames()))};
 }
 
 const cycleText = (cycle) => `${cycle}, from ${hoursText(ageOfCycle(cycle))}`;

@@ -16,7 +16,8 @@ function playbackOf(duration) {
 /** A button that plays and pauses and a slider of the time; `show` follows what happens without them. */
 function playbackControls(playback, changed) {
   const button = element("button", {type: "button"}, "Play");
-  const slider = element("input", {type: "range", min: 0, max: playback.duration, step: playback.duration / 200, value: 0, "aria-label": "Time"});
+  const slider = element("input", {type: "range", min: 0, max: playback.duration, step: playback.duration / 200, value: 0,
+    "aria-label": "Time"});
   const said = element("span", {});
   const show = () => {
     const words = fixed(3)(playback.time) + " s";

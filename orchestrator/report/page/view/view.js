@@ -75,14 +75,15 @@ function fillChargeView(section, viewed) {
 
 /** Builds the view of the charge in an empty section: the mill in space, which turns and plays, new beside worn. */
 function startChargeView(section) {
-  const cycles = ((data.charge || {}).cycles || []).filter((cycle) => cycle.frames);
+  const cycles = ((data.charge || {}).cycles || []).filter(({frames}) => frames && frames.times.length > 1);
   section.classList.add("charge-view");
   section.append(element("h2", {}, "The charge in the mill"));
   if (!cycles.length) {
     section.append(element("p", {class: "nothing"}, "No frames of the charge were kept in this run."));
     return;
   }
-  section.append(element("p", {class: "on-screen"}, `The first moments of a measurement, ${slowedDown} times slower than the mill turns. Between two ` +
-    `frames the particles move on straight lines. The slice is ${Number(data.charge.slice_length.toPrecision(3))} m long; the pictures show it without end walls.`));
+  section.append(element("p", {class: "on-screen"}, `The first moments of a measurement, ${slowedDown} times slower than the mill ` +
+    "turns. Between two frames the particles move on straight lines. The slice is " +
+    `${Number(data.charge.slice_length.toPrecision(3))} m long; the pictures show it without end walls.`));
   fillChargeView(section, cycles.map(viewedCharge));
 }

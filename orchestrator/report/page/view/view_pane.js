@@ -24,14 +24,16 @@ function standIn({cycle, pictures}) {
 
 /**
  * One picture with the choice of its cycle: figure, canvas, one (the viewedCharge that is shown); start() tells whether
- * it can draw, describe() and draw(time, camera, colouring) show. Calls redraw() where it has to be drawn anew, and cycleChosen() where it shows another cycle.
+ * it can draw, describe() and draw(time, camera, colouring) show. Calls redraw() where it has to be drawn anew, and
+ * cycleChosen() where it shows another cycle.
  */
 function viewPane(viewed, first, redraw, cycleChosen) {
   const choice = element("select", {}, ...viewed.map(({charge}, i) => element("option", {value: i}, cycleText(charge.cycle))));
   const canvas = element("canvas", {tabindex: 0, role: "img", "aria-describedby": "charge-view-keys"});
   const instead = element("div", {class: "stand-in"});
   const caption = element("figcaption", {});
-  const pane = {canvas, figure: element("figure", {}, element("label", {class: "control"}, "DEM cycle ", choice), canvas, instead, caption)};
+  const label = element("label", {class: "control"}, "DEM cycle ", choice);
+  const pane = {canvas, figure: element("figure", {}, label, canvas, instead, caption)};
   let scene = null;
   const choose = (i) => {
     pane.one = viewed[i];

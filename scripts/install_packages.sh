@@ -7,7 +7,7 @@ for_running="build-essential cmake ninja-build pkg-config
   liggghts libliggghts-dev openmpi-bin libopenmpi-dev
   libgmsh-dev libgsl-dev libhdf5-dev libeigen3-dev libpolyclipping-dev libdxflib-dev
   libtomlplusplus-dev libcli11-dev libfmt-dev nlohmann-json3-dev libxxhash-dev libcereal-dev libdlib-dev
-  gnuplot-nox libjs-d3"
+  gnuplot-nox tachyon-bin-nox libjs-d3"
 for_testing="clang-format libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev libboost-dev chromium
   slurmctld slurmd slurm-client"
 

@@ -19,7 +19,7 @@ error. `NO_COLOR` in the environment switches colours off.
 | 1 | internal error | report it: it is a fault of the program |
 | 2 | wrong command line | see `millwear VERB --help` |
 | 3 | bad input: case file, profile, readings or another file | change the line that the message names |
-| 4 | an external program failed or is missing (LIGGGHTS, MPI, gnuplot) | read the log that the message names |
+| 4 | an external program failed or is missing (LIGGGHTS, MPI, gnuplot, tachyon) | read the log that the message names |
 | 5 | a DEM result was rejected, for instance because particles were lost | read the log; try a smaller `rayleigh_fraction` |
 | 6 | the disk is full, or a file cannot be written | make room, then give the same command |
 | 7 | another process works in the folder | wait for it |

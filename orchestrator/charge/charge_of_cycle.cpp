@@ -29,8 +29,8 @@ std::vector<SectionMap> maps_of(const Case& mill, const wear::ChargeFields& fiel
                                {"velocity_z", "m/s", map.velocity_z},
                                {"temperature", "m2/s2", map.temperature}};
   if (fields.pair_duration > 0.0) {
-    maps.push_back({"normal_power", "W/m3", map.normal_power});
-    maps.push_back({"shear_power", "W/m3", map.shear_power});
+    maps.push_back({"normal_power", "W/m3", wear::averaged(fields.grid, map.normal_power)});
+    maps.push_back({"shear_power", "W/m3", wear::averaged(fields.grid, map.shear_power)});
   }
   const auto& classes = mill.charge.classes;
   Eigen::VectorXd of_class(std::ssize(classes));
@@ -55,9 +55,9 @@ ShownCharge charge_of(const Case& mill) {
   ShownCharge shown{
       .classes = {}, .speed = mill.speed, .slice_length = mill.slice_length, .cycles = {}};
   for (const ParticleClass& one : mill.charge.classes) {
-    const std::string& material = mill.materials[one.material].name;
-    shown.classes.push_back(
-        {fmt::format("{} {:g} mm", material, 1e3 * one.diameter), material, one.diameter});
+    const Material& material = mill.materials[one.material];
+    shown.classes.push_back({fmt::format("{} {:g} mm", material.name, 1e3 * one.diameter),
+                             material.name, one.diameter, material.density});
   }
   return shown;
 }

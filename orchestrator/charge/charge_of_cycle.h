@@ -37,6 +37,7 @@ struct ShownClass {
   std::string name;
   std::string material;
   double diameter;  ///< [m]
+  double density;   ///< [kg/m3]
 };
 
 /// The charge of a campaign.

@@ -41,15 +41,15 @@ double scale_end(const VectorXd& values) {
 }
 
 std::string image(const std::string& block) {
-  return fmt::format("${} using 1:2:3 with image pixels notitle", block);
+  return fmt::format("${} using 1:2:3 with image notitle", block);
 }
 
 /// A landmark's name beside a point.
 std::string marked(const std::string& name, const Vector2d& place, int number) {
   if (!place.allFinite()) return "";
   return fmt::format(
-      "set label {} '{}' at {:.5g},{:.5g} front point pt 2 ps 1.4 lw 2 lc '#a8321c' offset 0.8,0.6 "
-      "tc '#a8321c'\n",
+      "set label {} '{}' at {:.5g},{:.5g} front boxed point pt 2 ps 1.4 lw 2 lc '#a8321c' offset "
+      "1.2,0.9 tc '#1c2126'\n",
       number, name, place.x(), place.y());
 }
 

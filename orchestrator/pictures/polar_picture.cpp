@@ -11,6 +11,7 @@ namespace millwear::orchestrator {
 namespace {
 
 constexpr double mm_per_m = 1e3;
+constexpr double least_shown = 0.1;  // times the mean; the scale is logarithmic
 constexpr double degrees_a_column = 360.0 / wear::polar_columns;
 
 constexpr std::array<const char*, wear::polar_measures.size()> titles{
@@ -42,8 +43,10 @@ std::string polar_picture(const wear::PolarLoad& load, const LoadAlongProfile& a
   std::string panels;
   for (std::size_t m = 0; m < titles.size(); ++m) {
     blocks += block_of(m, load.values[m], along);
-    panels += fmt::format("set title '{}'\nplot $map{} using 1:2:3 with image pixels notitle\n",
-                          titles[m], m);
+    panels += fmt::format(
+        "set title '{}'\nset cbrange [{}:*]\nplot $map{} using 1:2:3 with image "
+        "notitle\n",
+        titles[m], least_shown, m);
   }
   return gnuplot_output(
       blocks +
@@ -51,9 +54,9 @@ std::string polar_picture(const wear::PolarLoad& load, const LoadAlongProfile& a
       "set border 3 lc '#9aa4ad'\nset tics nomirror tc '#1c2126'\n" +
       ramp_palette() +
       "set xrange [90:450]\nset xtics 90\n"
-      "set xlabel 'angle from three o''clock on the rising side [degrees]; six o''clock 270'\n"
+      "set xlabel 'angle [degrees]; twelve o''clock 90, six 270'\n"
       "set ylabel 'along the profile [mm]'\nset autoscale y\nset cblabel 'times the mean'\n"
-      "set cbrange [0:*]\nset multiplot layout 1,3\n" +
+      "set logscale cb\nset multiplot layout 1,3\n" +
       panels);
 }
 

@@ -26,7 +26,8 @@ std::string section_terminal(int panels) {
   return fmt::format(
              "set terminal pngcairo size {},{} font 'DejaVu Sans,11' background '#ffffff'\n",
              section_plot_width * panels, panel_height) +
-         "unset border\nunset xtics\nunset ytics\nset size ratio -1\nset samples 361\n" +
+         "unset border\nunset xtics\nunset ytics\nset size ratio -1\nset samples 361\n"
+         "set style textbox opaque noborder fillcolor '#ffffff' margins 0.6,0.6\n" +
          ramp_palette() + fmt::format("set multiplot layout 1,{}\n", panels);
 }
 

@@ -159,7 +159,10 @@ std::string charge_json(const CampaignResults& data) {
   }
   Json classes = Json::array();
   for (const ShownClass& one : data.charge.classes)
-    classes.push_back({{"name", one.name}, {"material", one.material}, {"diameter", one.diameter}});
+    classes.push_back({{"name", one.name},
+                       {"material", one.material},
+                       {"diameter", one.diameter},
+                       {"density", one.density}});
   return Json{{"classes", classes},
               {"speed", data.charge.speed},
               {"slice_length", data.charge.slice_length},

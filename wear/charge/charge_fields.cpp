@@ -132,4 +132,20 @@ FieldMap map_of(const ChargeFields& fields) {
   return map;
 }
 
+VectorXd averaged(const SectionGrid& grid, const VectorXd& values) {
+  constexpr Index reach = 2;
+  const Index cells = grid.cells;
+  const auto table = values.reshaped(cells, cells);
+  VectorXd means(values.size());
+  for (Index row = 0; row < cells; ++row)
+    for (Index column = 0; column < cells; ++column) {
+      const Index left = std::max(column - reach, Index{0});
+      const Index low = std::max(row - reach, Index{0});
+      const Index right = std::min(column + reach, cells - 1);
+      const Index high = std::min(row + reach, cells - 1);
+      means[column + cells * row] = table.block(left, low, right - left + 1, high - low + 1).mean();
+    }
+  return means;
+}
+
 }  // namespace millwear::wear

@@ -92,4 +92,8 @@ struct FieldMap {
 
 [[nodiscard]] FieldMap map_of(const ChargeFields& fields);
 
+/// Means over five by five cells around each, as far as they lie on the grid: for what few events
+/// make.
+[[nodiscard]] Eigen::VectorXd averaged(const SectionGrid& grid, const Eigen::VectorXd& values);
+
 }  // namespace millwear::wear

@@ -105,5 +105,18 @@ TEST(ChargeFields, OfTwoPartsOfTheTimeAreTheirSum) {
   EXPECT_THROW((void)sum_of(sum, no_charge_fields({1.0, 10}, slice, 1)), std::logic_error);
 }
 
+// One cell of 25 around it in the middle, one of 9 in the corner.
+TEST(ChargeFields, AverageOverFiveByFiveCells) {
+  const SectionGrid ten{1.0, 10};
+  Eigen::VectorXd values = Eigen::VectorXd::Zero(100);
+  values[55] = 25.0;
+  values[0] = 9.0;
+  const Eigen::VectorXd means = averaged(ten, values);
+  EXPECT_THAT(means[55], DoubleNear(1.0, 1e-12));
+  EXPECT_THAT(means[33], DoubleNear(1.0, 1e-12));
+  EXPECT_EQ(means[58], 0.0);
+  EXPECT_THAT(means[0], DoubleNear(1.0, 1e-12));
+}
+
 }  // namespace
 }  // namespace millwear::wear

@@ -8,6 +8,7 @@
 #include "mill/base/contract.h"
 #include "orchestrator/loads/spectra.h"
 #include "orchestrator/results/history.h"
+#include "orchestrator/results/landmarks.h"
 #include "orchestrator/results/profiles.h"
 #include "orchestrator/results/replicates.h"
 #include "orchestrator/results/wear_rates.h"
@@ -33,6 +34,7 @@ std::string with_column_pages(const std::string& page) {
   const std::map<std::string, std::string> tables{
       {"history", columns_page(history_columns())},
       {"profiles", columns_page(profile_columns())},
+      {"landmarks", columns_page(landmark_columns())},
       {"replicates", columns_page(replicate_columns())},
       {"spectra", columns_page(spectrum_columns())},
       {"study", figures_page()},

@@ -12,6 +12,7 @@
 #include "orchestrator/campaign/stage_order.h"
 #include "orchestrator/loads/spectra.h"
 #include "orchestrator/results/history.h"
+#include "orchestrator/results/landmarks.h"
 #include "orchestrator/results/profiles.h"
 #include "orchestrator/results/replicates.h"
 #include "wear/record/load_write.h"
@@ -31,8 +32,8 @@ std::string liggghts_version(const Campaign& campaign) {
   return start == std::string::npos ? "" : text.substr(start, text.find('\n', start) - start);
 }
 
-constexpr std::array result_names{"history.csv", "profiles.csv", "replicates.csv", "bins.h5",
-                                  "spectra.csv"};
+constexpr std::array result_names{"history.csv", "profiles.csv",  "replicates.csv",
+                                  "bins.h5",     "landmarks.csv", "spectra.csv"};
 
 json outputs_of(const Ledger& ledger, const RunFolder& folder) {
   json outputs = json::object();
@@ -91,6 +92,7 @@ void publish_results(const Campaign& campaign, const Ledger& ledger, const Campa
   publish(folder / "replicates.csv", replicates_csv(data.replicates));
   publish_written(folder / "bins.h5",
                   [&](const fs::path& beside) { wear::write_loads(beside, data.bins); });
+  publish(folder / "landmarks.csv", landmarks_csv(data.charge.cycles));
   publish(folder / "spectra.csv", spectra_head() + data.spectrum_lines);
   publish(folder / "summary.json", summary_json(campaign, ledger, data));
 }

@@ -5,8 +5,8 @@
 
 namespace millwear::orchestrator {
 
-/// Writes results/history.csv, profiles.csv, replicates.csv, bins.h5, spectra.csv and summary.json,
-/// each whole.
+/// Writes results/history.csv, profiles.csv, replicates.csv, bins.h5, landmarks.csv, spectra.csv
+/// and summary.json, each whole.
 void publish_results(const Campaign& campaign, const Ledger& ledger, const CampaignResults& data);
 
 }  // namespace millwear::orchestrator

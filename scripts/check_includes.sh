@@ -46,6 +46,8 @@ orchestrator/loads: mill wear orchestrator/campaign
 orchestrator/stages: mill wear orchestrator/process orchestrator/campaign orchestrator/dem_run orchestrator/stretch orchestrator/loads
 orchestrator/results: mill wear orchestrator/campaign orchestrator/dem_run orchestrator/loads
 orchestrator/report: mill/base orchestrator/process orchestrator/results
+orchestrator/vtk: mill/base
+orchestrator/export: mill wear orchestrator/campaign orchestrator/loads orchestrator/results orchestrator/vtk
 orchestrator/postprocess: mill meshgen liggghts_inputs/outputs wear orchestrator/process orchestrator/campaign orchestrator/dem_run
 orchestrator/gauge: mill meshgen wear orchestrator/results
 orchestrator/calibration: mill wear orchestrator/campaign orchestrator/dem_run orchestrator/results orchestrator/gauge

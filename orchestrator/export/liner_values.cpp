@@ -30,12 +30,12 @@ VtkArray wear_depth(const LinerProfile& outline, const wear::ProfileIndex& fresh
   return {"wear_depth_m", 1, std::move(depths)};
 }
 
-std::vector<VtkArray> load_values(const LoadOnLiner& measured, const LinerProfile& outline) {
+std::vector<VtkArray> load_values(const LoadOnLiner& measured, const LinerProfile& worn) {
   const auto& [liner, rotation, load] = measured;
   const auto bins = static_cast<Eigen::Index>(load.arc_length.size());
   const wear::LoadCarrier carrier(as_turned(liner, rotation), bins);
-  const auto carried = carrier.onto_bins(as_turned(outline, rotation), bins);
-  const auto segments = bins_of_segments(outline, bins);
+  const auto carried = carrier.onto_bins(as_turned(worn, rotation), bins);
+  const auto segments = bins_of_segments(cut_at_bins(worn, bins), bins);
   const auto array = [&](const char* name, const std::vector<double>& values, double per_unit) {
     const Eigen::VectorXd in_the_dem =
         carried * Eigen::Map<const Eigen::VectorXd>(values.data(), bins) * per_unit;

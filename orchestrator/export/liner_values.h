@@ -19,9 +19,10 @@ struct LoadOnLiner {
   LoadAlongProfile load;
 };
 
-/// The load at every segment of an outline that was worn from that liner and has as many bins as
-/// the load: the smoothed wear rate, and as measured sliding work, normal dissipation and contacts.
+/// The load carried to a liner that was worn from that one, a value for every segment of it cut at
+/// the load's bins (`cut_at_bins`): the smoothed wear rate, and as measured sliding work, normal
+/// dissipation and contacts.
 [[nodiscard]] std::vector<VtkArray> load_values(const LoadOnLiner& measured,
-                                                const LinerProfile& outline);
+                                                const LinerProfile& worn);
 
 }  // namespace millwear::orchestrator

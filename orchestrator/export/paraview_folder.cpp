@@ -88,7 +88,7 @@ class ParaviewFolder {
     const LinerProfile outline = cut_at_bins(liner, mill_.wear.bins);
     std::vector<VtkArray> values{wear_depth(outline, fresh_)};
     if (view.load)
-      for (auto& array : load_values(*view.load, outline)) values.push_back(std::move(array));
+      for (auto& array : load_values(*view.load, liner)) values.push_back(std::move(array));
     return liner_surface(outline, values, {extent_, mill_.slice_length, mill_angle});
   }
 

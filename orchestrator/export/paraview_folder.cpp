@@ -32,6 +32,18 @@ struct CycleView {
   std::optional<LoadOnLiner> load;
 };
 
+/// Removes the series of an earlier export: they name files that may be another campaign's.
+void remove_series(const fs::path& folder) {
+  std::vector<fs::path> series;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().stem().string();
+    const std::string kind = name.substr(0, name.find("_cycle_"));
+    if (entry.path().extension() == ".pvd" && (kind == liner_folder || kind == charge_folder))
+      series.push_back(entry.path());
+  }
+  for (const auto& file : series) fs::remove(file);
+}
+
 class ParaviewFolder {
  public:
   ParaviewFolder(const PublishedCampaign& published, LinerExtent extent, const fs::path& folder)
@@ -43,6 +55,7 @@ class ParaviewFolder {
 
   ParaviewExport write() {
     make_folder(folder_ / liner_folder);
+    remove_series(folder_);
     for (int cycle = 0; cycle < cycles_begun(published_); ++cycle) write_cycle(cycle);
     put_series("liner.pvd", liner_);
     if (!charge_.empty()) put_series("charge.pvd", charge_);

@@ -22,9 +22,9 @@ struct ParaviewExport {
 
 /// Writes a campaign as series for ParaView (docs/how_to_export.md): the liner after every step and
 /// the charge at the beginning of every cycle's measurement over operating hours, and the frames of
-/// every cycle over seconds, with the liner as it turns. Each file is whole or absent, and a series
-/// comes after the files that it names. Throws DiskError where the folder cannot be written, and
-/// what reading the campaign throws.
+/// every cycle over seconds, with the liner as it turns. Each file is whole or absent. The series
+/// of an earlier export are removed first, and a series comes after the files that it names. Throws
+/// DiskError where the folder cannot be written, and what reading the campaign throws.
 [[nodiscard]] ParaviewExport export_to_paraview(const PublishedCampaign& published,
                                                 LinerExtent extent,
                                                 const std::filesystem::path& folder);

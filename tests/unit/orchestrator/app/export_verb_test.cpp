@@ -172,6 +172,17 @@ TEST_F(ExportVerb, ShowsTheLinerOfTablesAlone) {
   EXPECT_FALSE(read("liner/cycle_001_step_005.vtp").arrays.contains("CellData/contacts_per_m"));
 }
 
+TEST_F(ExportVerb, RemovesTheSeriesOfAnEarlierExportAlone) {
+  fs::create_directory(viewer);
+  for (const char* const name : {"charge_cycle_009.pvd", "charge.pvd", "mine.pvd", "liner.png"})
+    put_text(viewer / name, "earlier");
+  to_paraview();
+  EXPECT_FALSE(fs::exists(viewer / "charge_cycle_009.pvd"));
+  EXPECT_NE(text_of(viewer / "charge.pvd"), "earlier");
+  EXPECT_EQ(text_of(viewer / "mine.pvd"), "earlier");
+  EXPECT_EQ(text_of(viewer / "liner.png"), "earlier");
+}
+
 // The lock is held as by a `run` at work.
 TEST_F(ExportVerb, LeavesARunningCampaignAsItIs) {
   const RunLock running(run.campaign.folder.lock());

@@ -48,6 +48,8 @@ orchestrator/charge: mill wear/charge orchestrator/campaign
 orchestrator/results: mill wear orchestrator/campaign orchestrator/dem_run orchestrator/loads orchestrator/charge
 orchestrator/report: mill/base mill/case wear/charge orchestrator/process orchestrator/charge orchestrator/results
 orchestrator/pictures: mill wear orchestrator/process orchestrator/campaign orchestrator/charge orchestrator/loads orchestrator/results
+orchestrator/vtk: mill/base
+orchestrator/export: mill wear orchestrator/campaign orchestrator/loads orchestrator/results orchestrator/vtk
 orchestrator/postprocess: mill meshgen liggghts_inputs/outputs wear orchestrator/process orchestrator/campaign orchestrator/dem_run
 orchestrator/gauge: mill meshgen wear orchestrator/results
 orchestrator/calibration: mill wear orchestrator/campaign orchestrator/dem_run orchestrator/results orchestrator/gauge

@@ -7,6 +7,7 @@
 #include "orchestrator/app/check_verb.h"
 #include "orchestrator/app/compare_verb.h"
 #include "orchestrator/app/deck_verb.h"
+#include "orchestrator/app/export_verb.h"
 #include "orchestrator/app/import_verb.h"
 #include "orchestrator/app/mesh_verb.h"
 #include "orchestrator/app/postprocess_verb.h"
@@ -60,6 +61,12 @@ constexpr std::array table{
     Verb{"report", "Write the result files and report.html of a campaign so far",
          "  millwear report cases/pilot_mill/case.toml --out runs/try",
          prepare<ReportOptions, report_verb>},
+    Verb{"export",
+         "Write liner and charge for ParaView, and any step's liner as STL, STEP, DXF, CSV",
+         "  millwear export cases/pilot_mill/case.toml --paraview viewer\n"
+         "  millwear export cases/pilot_mill/case.toml --stl worn_out.stl --step worn_out.step\n"
+         "  millwear export cases/pilot_mill/case.toml --cycle 2 --at-step 1 --csv profile.csv",
+         prepare<ExportOptions, export_verb>},
     Verb{"wear", "Apply another wear law to the loads of a campaign, without new DEM",
          "  cp cases/pilot_mill/case.toml other_law.toml   # and change the laws in its [wear]\n"
          "  millwear wear other_law.toml --out runs/pilot_mill\n"

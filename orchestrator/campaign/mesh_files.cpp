@@ -61,6 +61,11 @@ void write_mesh(const Case& mill, const LinerProfile& liner, const std::filesyst
   publish(into / stage_files::mesh_facts, facts.dump(1) + "\n");
 }
 
+void write_mesh_stl(const Case& mill, const LinerProfile& liner,
+                    const std::filesystem::path& file) {
+  meshgen::write_stl(checked_mesh(mill, liner).mesh, file);
+}
+
 std::size_t triangles_of_mesh(const std::filesystem::path& mesh_folder) {
   const auto facts = nlohmann::json::parse(read_file(mesh_folder / stage_files::mesh_facts));
   return facts.at("triangles").get<std::size_t>();

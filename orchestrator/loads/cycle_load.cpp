@@ -116,6 +116,12 @@ CycleLoad load_of_cycle(const Campaign& campaign, int cycle, const std::string& 
   return load;
 }
 
+CycleLoad look_at_load_of_cycle(const Campaign& campaign, int cycle, const std::string& load_hash) {
+  auto kept = kept_value<CycleLoad>(kept_file(campaign.folder, cycle, "load"),
+                                    kept_key(campaign.mill, load_hash));
+  return kept ? std::move(*kept) : worked_out(campaign, cycle);
+}
+
 CycleLoad load_of_cycle(const Campaign& campaign, int cycle) {
   return load_of_cycle(campaign, cycle, hash_of_file(load_file(campaign, cycle)));
 }

@@ -36,7 +36,12 @@ struct CycleLoad {
 [[nodiscard]] CycleLoad load_of_cycle(const Campaign& campaign, int cycle,
                                       const std::string& load_hash);
 
-/// The same with the hash of the file as it is.
+/// The same for who only looks at a campaign that another process may be running in: what is worked
+/// out is not kept.
+[[nodiscard]] CycleLoad look_at_load_of_cycle(const Campaign& campaign, int cycle,
+                                              const std::string& load_hash);
+
+/// As the first with the hash of the file as it is.
 [[nodiscard]] CycleLoad load_of_cycle(const Campaign& campaign, int cycle);
 
 /// The load on the liner that it was measured on, `dem_liner`; `time` is when [s].

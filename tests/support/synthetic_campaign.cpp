@@ -222,6 +222,7 @@ CampaignResults synthetic_campaign(int cycles, int steps) {
       .sector = sector,
       .height_limit = 0.043,
       .plate_limit = 0.02,
+      .liner_density = 7800.0,
       .history = {},
       .profiles = {},
       .loads = {},

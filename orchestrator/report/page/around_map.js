@@ -1,26 +1,20 @@
 const aroundMeasures = {contacts: "Contacts", normal_dissipation: "Normal dissipation", sliding_work: "Sliding work"};
 
-const aroundRanges = {};
-function rangeAround(name) {
-  if (!aroundRanges[name])
-    aroundRanges[name] = colourRange(data.charge.cycles.filter((one) => one.around).map((one) => valuesOf(one.around.maps[name])));
-  return aroundRanges[name];
-}
-
 /** The places of the clock along the turn from six o'clock on [degrees behind six o'clock]. */
 const clockPlaces = [[0, "6 o'clock"], [90, "rising"], [180, "12 o'clock"], [270, "descending"], [360, "6 o'clock"]];
 
 function aroundAxes(svg, frame, x, y, load) {
+  const isWide = frame.right - frame.left > 380;
   for (const [degrees, name] of clockPlaces) {
     const anchor = degrees === 0 ? "start" : degrees === 360 ? "end" : "middle";
     svg.append("line").attr({class: "mark", x1: x(degrees), x2: x(degrees), y1: frame.top, y2: frame.bottom + 5});
     svg.append("text").attr({x: x(degrees), y: frame.bottom + 18, "text-anchor": anchor})
       .text(aroundText(270 + degrees));
-    svg.append("text").attr({x: x(degrees), y: frame.bottom + 33, "text-anchor": anchor}).text(name);
+    if (isWide) svg.append("text").attr({x: x(degrees), y: frame.bottom + 33, "text-anchor": anchor}).text(name);
   }
   const upright = d3.svg.axis().scale(y.copy().domain(y.domain().map(inLength))).orient("left").ticks(6).tickSize(5, 0).tickPadding(6);
   svg.append("g").attr({class: "axis", transform: `translate(${frame.left},0)`}).call(upright);
-  svg.append("text").attr({x: 0, y: 12}).text(`along the profile [${lengthUnit()}], trailing side below; dotted: feet and corners`);
+  svg.append("text").attr({x: 0, y: 12}).text(`along the profile [${lengthUnit()}]`);
   for (const corner of corners(load))
     svg.append("line").attr({class: "mark corner", x1: frame.left, x2: frame.right, y1: y(corner), y2: y(corner)});
 }
@@ -47,9 +41,9 @@ function drawAround(place, width) {
   const name = document.getElementById("around-measure").value;
   if (!charge || !charge.around) { nothing(place, charge ? "The load around the turn was not recorded in this cycle." : withoutCharge(load)); return; }
   const {around} = charge;
-  const values = valuesOf(around.maps[name]);
-  const range = rangeAround(name);
-  const shown = shownUnit(around.maps[name].unit, range.high);
+  const range = around.maps[name];
+  const values = valuesOf(range);
+  const shown = shownUnit(range.unit, range.high);
   const end = load.arc_length.length - 1;
   const frame = {left: 46, right: width - 6, top: 24, bottom: 324};
   const x = d3.scale.linear().domain([0, 360]).range([frame.left, frame.right]);

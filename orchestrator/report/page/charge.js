@@ -31,6 +31,8 @@ function startCharge() {
     return;
   }
   document.getElementById("charge-missing").remove();
+  const hasAround = data.charge.cycles.some((one) => one.around);
+  document.querySelectorAll(".of-around").forEach((part) => { part.hidden = !hasAround; });
   startView();
   fillOptions("charge-map", offeredMaps(), mapTitle);
   fillOptions("around-measure", Object.keys(aroundMeasures), (name) => aroundMeasures[name]);

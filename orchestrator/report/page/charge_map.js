@@ -1,17 +1,22 @@
 /** A map of the page's data is {low, high, unit, values: base64}: a byte a cell, 0 where no particle was, 1 to 255 from
  *  low to high. */
-const decodedMaps = new WeakMap();
+const readMaps = new WeakMap();
 
-/** The bytes of a map. */
-function bytesOf(map) {
-  if (!decodedMaps.has(map)) decodedMaps.set(map, Uint8Array.from(atob(map.values), (letter) => letter.charCodeAt(0)));
-  return decodedMaps.get(map);
+function readMap({low, high, values}) {
+  const bytes = atob(values);
+  const step = (high - low) / 254;
+  const read = new Float32Array(bytes.length);
+  for (let cell = 0; cell < read.length; ++cell) {
+    const byte = bytes.charCodeAt(cell);
+    read[cell] = byte ? low + step * (byte - 1) : NaN;
+  }
+  return read;
 }
 
 /** The values of a map, NaN where no particle was. */
 function valuesOf(map) {
-  const step = (map.high - map.low) / 254;
-  return Float64Array.from(bytesOf(map), (byte) => byte ? map.low + step * (byte - 1) : NaN);
+  if (!readMaps.has(map)) readMaps.set(map, readMap(map));
+  return readMaps.get(map);
 }
 
 /** How values of a unit are shown: value * factor, with a unit; lengths and prefixes as they suit `largest`. */
@@ -21,36 +26,32 @@ function shownUnit(unit, largest) {
     const scale = prefixed([largest], unit);
     return {factor: 1 / scale.factor, unit: scale.unit.replace("m2", "m²").replace("m3", "m³")};
   }
+  if (unit === "1") return {factor: 1, unit: "counts"};
   return {factor: 1, unit: unit.replace("m2", "m²").replace("s2", "s²")};
-}
-
-/** From the least value to the one that 995 of 1000 cells stay below, so that a few cells do not take the colours from
- *  all others. `isCut` where some are above. */
-function colourRange(fields) {
-  const values = Float64Array.from(d3.merge(fields.map((field) => Array.from(field).filter((value) => value === value)))).sort();
-  if (!values.length) return {low: 0, high: 1, isCut: false};
-  const high = values[Math.floor(0.995 * (values.length - 1))];
-  const low = Math.min(values[0], high);
-  return {low, high: high > low ? high : low + 1, isCut: values[values.length - 1] > high * 1.001};
 }
 
 const mapColours = d3.scale.linear().domain([0, 0.2, 0.4, 0.6, 0.8, 1])
   .range(["#440154", "#414487", "#2a788e", "#22a884", "#7ad151", "#fde725"]).interpolate(d3.interpolateLab).clamp(true);
-const mapColourBytes = d3.range(256).map((i) => d3.rgb(mapColours(i / 255)));
+/** The colours as pixels, red in the lowest byte. */
+const mapPixels = Uint32Array.from(d3.range(256), (i) => {
+  const {r, g, b} = d3.rgb(mapColours(i / 255));
+  return (255 << 24) | (b << 16) | (g << 8) | r;
+});
 
 /** A canvas with a pixel a cell, `columns` of them in a row; rows are from the bottom up. */
 function pixelCanvas(values, columns, {low, high}) {
   const rows = values.length / columns;
-  const pixels = element("canvas", {width: columns, height: rows});
   const image = new ImageData(columns, rows);
-  values.forEach((value, cell) => {
-    if (value !== value) return;
-    const colour = mapColourBytes[Math.max(0, Math.min(255, Math.round(255 * (value - low) / (high - low))))];
-    const place = 4 * ((rows - 1 - Math.floor(cell / columns)) * columns + cell % columns);
-    image.data.set([colour.r, colour.g, colour.b, 255], place);
-  });
-  pixels.getContext("2d").putImageData(image, 0, 0);
-  return pixels;
+  const pixels = new Uint32Array(image.data.buffer);
+  for (let row = 0; row < rows; ++row)
+    for (let column = 0; column < columns; ++column) {
+      const value = values[column + columns * row];
+      if (value === value)
+        pixels[column + columns * (rows - 1 - row)] = mapPixels[Math.max(0, Math.min(255, Math.round(255 * (value - low) / (high - low))))];
+    }
+  const drawn = element("canvas", {width: columns, height: rows});
+  drawn.getContext("2d").putImageData(image, 0, 0);
+  return drawn;
 }
 
 /** An svg over a canvas of the same size; the canvas is drawn at the screen's resolution. */
@@ -76,5 +77,5 @@ function colourBar(svg, {left, right, top}, range, shown) {
   const text = scale.tickFormat(ticks.length);
   for (const tick of ticks)
     svg.append("text").attr({x: scale(tick), y: top + 24, "text-anchor": "middle"}).text(text(tick).replace("-", "−"));
-  svg.append("text").attr({class: "label", x: left, y: top - 6}).text(shown.unit + (range.isCut ? " (last colour: this and above)" : ""));
+  svg.append("text").attr({class: "label", x: left, y: top - 6}).text(shown.unit);
 }

@@ -18,5 +18,5 @@ function copyButton(table) {
   };
   button.addEventListener("click", () => navigator.clipboard
     ? navigator.clipboard.writeText(tableText(table)).then(() => { said.textContent = "Copied."; }, select) : select());
-  return element("p", {class: "copying"}, button, said);
+  return element("p", {class: "copying"}, element("span", {}, table.caption.textContent), said, button);
 }

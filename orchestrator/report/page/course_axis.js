@@ -7,7 +7,7 @@ const campaignHours = [0, d3.max(data.history.concat(data.measured), (row) => ro
 /** The date on which the liner has run so many hours. Known where the first day is. */
 const dateAt = (hours) => new Date(new Date(settings.start + "T00:00").getTime() +
   hours * millisecondsPerHour / (Number(settings.running) / 100));
-const dateText = (hours) => dateAt(hours).toLocaleDateString("en-GB", {day: "numeric", month: "short", year: "numeric"});
+const dateText = (hours) => d3.time.format("%-d %b %Y")(dateAt(hours));
 
 function massScale() {
   const most = tonnesPerHour * campaignHours[1];

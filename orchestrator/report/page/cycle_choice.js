@@ -23,7 +23,7 @@ function chooseCycleOf(fragment) {
 
 function chosenCycleText() {
   const {cycle} = chosenLoad();
-  return `Cycle ${cycle} of ${data.loads.length}: ${courseText(ageOfCycle(cycle))} on the liner`;
+  return `Cycle ${cycle} (${chosenCycle.index + 1} of ${data.loads.length}): ${courseText(ageOfCycle(cycle))}`;
 }
 
 /** The slider over the campaign. */

@@ -115,6 +115,6 @@ function fillLiner() {
     {name: "Roughness", unit: lengthUnit(), of: (row) => lengthFigure(row.roughness, 2)},
   ];
   fillTable("liner-table", "The liner when new, in the chosen cycle, and after the last step", rows,
-    [{head: "", text: (row) => row.name}, {head: "", text: (row) => row.unit}].concat(liners.map(([head, row]) =>
+    [{head: "", text: (row) => row.name, unitOf: (row) => row.unit}].concat(liners.map(([head, row]) =>
       ({head, unit: courseText(row.operating_hours), text: (line) => line.of(row)}))));
 }

@@ -68,7 +68,7 @@ function fillNewChosenAndWorn() {
     {name: "... packed between the lifters", unit: "% of the ascending charge", of: motion("packed_share", inPercent)},
     {name: "... of what lies between them", unit: "%", of: motion("between_locked_share", inPercent)},
   ].filter((row) => cycles.some((one) => known(row.of(one).value)));
-  const columns = [{head: "", text: (row) => row.name}, {head: "", text: (row) => row.unit}];
+  const columns = [{head: "", text: (row) => row.name, unitOf: (row) => row.unit}];
   for (const one of cycles)
     columns.push({head: `Cycle ${one.cycle}`, unit: courseText(ageOfCycle(one.cycle)), text: (row) => significant(3)(row.of(one).value)},
       {head: "±", se: true, text: (row) => significant(2)(row.of(one).error)});

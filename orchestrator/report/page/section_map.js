@@ -16,8 +16,12 @@ function offeredMaps() {
 
 const unitOfMap = (maps, name) => name === "speed" ? maps.velocity_x.unit : maps[name].unit;
 
+/** The values of a map where a particle came. */
 function fieldOf(maps, name) {
-  if (name !== "speed") return valuesOf(maps[name]);
+  if (name !== "speed") {
+    const occupied = valuesOf(maps.occupied);
+    return valuesOf(maps[name]).map((value, cell) => occupied[cell] > 0 ? value : NaN);
+  }
   const along = valuesOf(maps.velocity_z);
   return valuesOf(maps.velocity_x).map((value, cell) => Math.hypot(value, along[cell]));
 }
@@ -25,12 +29,10 @@ function fieldOf(maps, name) {
 const isShare = (name) => name === "occupied" || name.startsWith("share_of_");
 const hasMap = (maps, name) => Boolean(name === "speed" ? maps.velocity_x && maps.velocity_z : maps[name]);
 
-/** One range of colours for all cycles, so that they can be compared. */
-const rangesOfMaps = {};
-function rangeOfMap(name) {
-  if (!rangesOfMaps[name])
-    rangesOfMaps[name] = colourRange(data.charge.cycles.filter(({maps}) => hasMap(maps, name)).map(({maps}) => fieldOf(maps, name)));
-  return rangesOfMaps[name];
+/** The range of colours, which is that of all cycles. */
+function rangeOfMap(maps, name) {
+  if (name !== "speed") return maps[name];
+  return {low: 0, high: d3.max([maps.velocity_x, maps.velocity_z], ({low, high}) => Math.max(Math.abs(low), Math.abs(high)))};
 }
 
 /** The section on paper: as wide as `width`, x to the right, z up, the rising side on the left. */
@@ -43,36 +45,51 @@ function sectionFrame(width, halfWidth) {
     x: (metres) => left + (metres + halfWidth) * pixels, y: (metres) => margin.head + (halfWidth - metres) * pixels};
 }
 
+const colourNamed = (name) => getComputedStyle(document.documentElement).getPropertyValue(name);
+
 /** The steel of one sector around six o'clock, repeated for all rows. */
-function drawLinerAround(svg, load, frame) {
+function drawLinerAround(context, liner, frame) {
   const {shell_radius: shell, plate_radius: plate, rows} = data.sector;
-  const place = ([xi, eta]) => `${(frame.x(0) - frame.pixels * xi).toFixed(2)},${(frame.y(0) + frame.pixels * (plate - eta)).toFixed(2)}`;
-  const steel = outlineOf(load).concat(arc(shell).reverse());
-  const ring = svg.append("g").attr("class", "liner");
-  for (const row of d3.range(rows))
-    ring.append("path").attr({d: "M" + steel.map(place).join("L") + "Z", transform: `rotate(${360 * row / rows} ${frame.x(0)} ${frame.y(0)})`});
+  const steel = new Path2D();
+  for (const [xi, eta] of liner.concat(arc(shell).reverse())) steel.lineTo(-frame.pixels * xi, frame.pixels * (plate - eta));
+  steel.closePath();
+  context.save();
+  context.translate(frame.x(0), frame.y(0));
+  context.fillStyle = colourNamed("--steel");
+  context.strokeStyle = colourNamed("--shell");
+  context.lineWidth = 0.7;
+  for (let row = 0; row < rows; ++row) {
+    context.fill(steel);
+    context.stroke(steel);
+    context.rotate(2 * Math.PI / rows);
+  }
+  context.restore();
 }
 
 /** Arrows every few cells, the fastest as long as the space between two. */
-function drawArrows(svg, maps, section, frame) {
+function drawArrows(context, maps, section, frame) {
   const across = valuesOf(maps.velocity_x);
   const along = valuesOf(maps.velocity_z);
-  const every = Math.max(1, Math.round(section.cells * 24 / frame.size));
   const cell = frame.size / section.cells;
-  const longest = every * cell / rangeOfMap("speed").high;
-  const shapes = [];
+  const every = Math.max(1, Math.round(22 / cell));
+  const longest = every * cell / rangeOfMap(maps, "speed").high;
+  context.beginPath();
   for (let row = every >> 1; row < section.cells; row += every)
     for (let column = every >> 1; column < section.cells; column += every) {
       const at = column + section.cells * row;
       if (across[at] !== across[at]) continue;
       const [dx, dy] = [across[at] * longest, -along[at] * longest];
-      const [x, y] = [frame.left + (column + 0.5) * cell, frame.top + frame.size - (row + 0.5) * cell];
-      const [hx, hy] = [x + dx, y + dy];
-      shapes.push(`M${x.toFixed(1)},${y.toFixed(1)}L${hx.toFixed(1)},${hy.toFixed(1)}` +
-        `M${(hx - 0.3 * dx + 0.18 * dy).toFixed(1)},${(hy - 0.3 * dy - 0.18 * dx).toFixed(1)}L${hx.toFixed(1)},${hy.toFixed(1)}` +
-        `L${(hx - 0.3 * dx - 0.18 * dy).toFixed(1)},${(hy - 0.3 * dy + 0.18 * dx).toFixed(1)}`);
+      const [tipX, tipY] = [frame.left + (column + 0.5) * cell + dx, frame.top + frame.size - (row + 0.5) * cell + dy];
+      context.moveTo(tipX - dx, tipY - dy);
+      context.lineTo(tipX, tipY);
+      for (const side of [0.18, -0.18]) {
+        context.moveTo(tipX, tipY);
+        context.lineTo(tipX - 0.3 * dx + side * dy, tipY - 0.3 * dy - side * dx);
+      }
     }
-  svg.append("path").attr({class: "arrows", d: shapes.join("")});
+  context.strokeStyle = "#fff";
+  context.lineWidth = 1.2;
+  context.stroke();
 }
 
 function tellCell(svg, section, frame, name, field, shown) {
@@ -97,13 +114,16 @@ function drawSection(place, width) {
   if (!charge || !hasMap(charge.maps, name)) { nothing(place, withoutCharge(load)); return; }
   const frame = sectionFrame(width, charge.section.half_width);
   const field = fieldOf(charge.maps, name);
-  const range = rangeOfMap(name);
+  const range = rangeOfMap(charge.maps, name);
   const shown = isShare(name) ? {factor: 100, unit: "%"} : shownUnit(unitOfMap(charge.maps, name), range.high);
   const {context, svg} = canvasUnderSvg(place, width, frame.height, `${mapTitle(name)} over the section, cycle ${charge.cycle}`);
+  context.beginPath();
+  context.arc(frame.x(0), frame.y(0), frame.pixels * data.sector.shell_radius, 0, 2 * Math.PI);
+  context.clip();
   context.drawImage(pixelCanvas(field, charge.section.cells, range), frame.left, frame.top, frame.size, frame.size);
-  if (name === "speed") drawArrows(svg, charge.maps, charge.section, frame);
-  drawLinerAround(svg, load, frame);
+  if (name === "speed") drawArrows(context, charge.maps, charge.section, frame);
+  drawLinerAround(context, charge.liner, frame);
   drawLandmarks(svg, landmarksOf(charge), frame);
-  colourBar(svg, {left: frame.left + 4, right: frame.left + frame.size - 24, top: frame.top + frame.size + 24}, range, shown);
+  colourBar(svg, {left: frame.left + 12, right: frame.left + frame.size - 24, top: frame.top + frame.size + 24}, range, shown);
   tellCell(svg, charge.section, frame, name, field, shown);
 }

@@ -4,16 +4,17 @@ function fillList(id, lines) {
     list.append(element("div", {}, element("dt", {}, name), element("dd", {}, value)));
 }
 
-/** columns: [{head, unit, text(row)}], the first of which heads its row; a row where starts(row, before) is true gets
+/** columns: [{head, unit, text(row), unitOf(row)}], the first of which heads its row; a row where starts(row, before) is true gets
  *  a line above it. */
 function fillTable(id, caption, rows, columns, starts = () => false) {
   const place = document.getElementById(id);
   if (!rows.length) { nothing(place, "Nothing was published yet."); return; }
   const heading = (column) => element(column.head ? "th" : "td", column.head ? {scope: "col"} : {}, column.head,
     element("small", {}, column.unit || "\u00a0"));
-  const cell = (row) => (column, i) => element(i ? "td" : "th", i ? {class: column.se ? "se" : ""} : {scope: "row"}, column.text(row));
+  const cell = (row) => (column, i) => element(i ? "td" : "th", i ? {class: column.se ? "se" : ""} : {scope: "row"}, column.text(row),
+    ...column.unitOf ? [" ", element("small", {}, column.unitOf(row))] : []);
   const body = rows.map((row, i) => element("tr", {class: i && starts(row, rows[i - 1]) ? "first" : ""}, ...columns.map(cell(row))));
-  const table = element("table", {}, element("caption", {}, caption), element("thead", {}, element("tr", {}, ...columns.map(heading))),
+  const table = element("table", {}, element("caption", {class: "unseen"}, caption), element("thead", {}, element("tr", {}, ...columns.map(heading))),
     element("tbody", {}, ...body));
   place.replaceChildren(copyButton(table), element("div", {class: "scroll", tabindex: 0, role: "region", "aria-label": caption}, table));
 }

@@ -131,11 +131,13 @@ TEST_F(ReportPage, LeavesOutTheMotionThatWasNotRecorded) {
             std::string::npos);
 }
 
-// The slider moves as a reader would move it; every panel then tells of the third of three cycles.
+// All panels are drawn, then the slider moves as a reader would move it; every panel tells of the
+// third of three cycles.
 TEST_F(ReportPage, MovesEveryPanelWithTheSlider) {
   const auto campaign = synthetic_campaign(3, 2);
   const auto page =
       drawn(with_script(report_html(campaign),
+                        "drawAllPanels();"
                         "const slider = document.getElementById('cycle-slider'); slider.value = 2;"
                         "slider.dispatchEvent(new Event('input'));"),
             folder);

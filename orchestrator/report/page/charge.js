@@ -2,8 +2,9 @@ const rerunWords = "run the cycle again with this version of millwear to see its
 const hasCharge = Boolean(data.charge && data.charge.cycles.length);
 const withoutCharge = (load) => hasCharge ? `Cycle ${load.cycle} has no charge.h5; ${rerunWords}` : `This campaign has no charge.h5; ${rerunWords}`;
 
-const pictureNames = {section: "The charge over the section", close_up: "A close-up of the charge at the lifters",
-  streaks: "Paths of the particles as streaks"};
+const pictureNames = {section: "The section, coloured by speed", section_by_size: "The section, coloured by size",
+  close_up: "Between the lifters where the charge rises", slice: "The slice, with the liner cut open",
+  streaks: "Paths of the particles"};
 
 function showPictures() {
   const load = chosenLoad();

@@ -265,6 +265,7 @@ std::string report_json(const CampaignResults& data) {
                      {"sector", json_of(data.sector)},
                      {"height_limit", data.height_limit},
                      {"plate_limit", data.plate_limit},
+                     {"liner_density", data.liner_density},
                      {"history", all(data.history)},
                      {"charges", all(measured_charges(data.history))},
                      {"energy_edges", data.energy_edges},

@@ -89,8 +89,9 @@ struct CampaignResults {
   std::vector<LabelledValue> description;
   Life life;
   LinerSector sector;
-  double height_limit;  ///< [m], NaN for none
-  double plate_limit;   ///< [m], NaN for none
+  double height_limit;   ///< [m], NaN for none
+  double plate_limit;    ///< [m], NaN for none
+  double liner_density;  ///< [kg/m3]
   std::vector<HistoryRow> history;
   std::vector<ProfileRow> profiles;
   std::vector<ReplicateRow> replicates{};  ///< a row for each of `history`

@@ -115,6 +115,7 @@ CampaignResults gather(const Campaign& campaign, const Ledger& ledger) {
   data.sector = mill.liner.sector;
   data.height_limit = mill.campaign.height_limit;
   data.plate_limit = mill.campaign.plate_limit;
+  data.liner_density = mill.materials[mill.liner_material].density;
   data.warnings = warnings(mill);
   const Eigen::VectorXd edges = wear::energy_edges();
   data.energy_edges.assign(edges.begin(), edges.end());

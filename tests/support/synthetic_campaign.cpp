@@ -8,6 +8,8 @@
 #include <numbers>
 #include <random>
 
+#include "tests/support/synthetic_charge.h"
+
 namespace millwear::orchestrator {
 namespace {
 
@@ -191,11 +193,12 @@ Impacts impacts_at(double age, int cycle) {
   Impacts impacts{cycle, {}, {}};
   for (const double size : {90.0, 105.0, 125.0})
     impacts.liner.push_back(impacts_around(fmt::format("steel {:g} mm", size), 9e3 * 90.0 / size,
-                                           3e-3 * std::pow(size / 90.0, 3), 2.1 - 0.5 * age));
+                                           3e-3 * std::pow(size / 90.0, 3) * (1.0 - 0.4 * age),
+                                           2.1 - 0.5 * age));
   for (const double size : sizes)
-    impacts.liner.push_back(impacts_around(fmt::format("ore {:g} mm", size),
-                                           3e4 * std::pow(45.0 / size, 2),
-                                           2e-4 * std::pow(size / 45.0, 3), 1.6 - 0.4 * age));
+    impacts.liner.push_back(
+        impacts_around(fmt::format("ore {:g} mm", size), 3e4 * std::pow(45.0 / size, 2),
+                       2e-4 * std::pow(size / 45.0, 3) * (1.0 - 0.4 * age), 1.6 - 0.4 * age));
   if (cycle % 2 == 0)
     impacts.particles = {impacts_around("steel on steel", 6e4, 5e-3, std::nan("")),
                          impacts_around("steel on ore", 3e5, 1e-3, std::nan("")),
@@ -222,6 +225,7 @@ CampaignResults synthetic_campaign(int cycles, int steps) {
       .sector = sector,
       .height_limit = 0.043,
       .plate_limit = 0.02,
+      .liner_density = 7800.0,
       .history = {},
       .profiles = {},
       .loads = {},
@@ -244,6 +248,8 @@ CampaignResults synthetic_campaign(int cycles, int steps) {
     const double start = 1.0 * cycle / cycles;
     data.impacts.push_back(impacts_at(start, cycle));
     data.loads.push_back(load_at(start, cycle, random));
+    data.charge.cycles.push_back(synthetic_charge(cycle, start, {sector, even_points(start, 61)}));
+    data.polar.push_back({cycle, synthetic_polar_load(bin_count)});
     for (int step = cycle == 0 ? 0 : 1; step <= steps; ++step) {
       const double age = start + 1.0 * step / (cycles * steps);
       const auto points = even_points(age, 241);

@@ -46,59 +46,10 @@ function key(container, series) {
       one.style === "block" ? `background:${one.colour}` : `border-color:${one.colour}`}), one.name));
 }
 
-function padded(extent, zero) {
-  let [low, high] = extent;
-  if (zero) { low = Math.min(low, 0); high = Math.max(high, 0); }
-  const room = (high - low || Math.abs(high) || 1) * 0.08;
-  return [zero && low === 0 ? 0 : low - room, zero && high === 0 ? 0 : high + room];
-}
-
-/** Powers of ten in a span, no more than `count`. */
-function decades([low, high], count) {
-  const [first, last] = [Math.ceil(Math.log(low) / Math.LN10 - 1e-9), Math.floor(Math.log(high) / Math.LN10 + 1e-9)];
-  return d3.range(first, last + 1, Math.max(1, Math.ceil((last - first + 1) / count))).map((power) => Number("1e" + power));
-}
-
-/** A power of ten: 0.01 to 1000 as they are, others as 10⁴. */
-function powerText(value) {
-  const power = Math.round(Math.log(value) / Math.LN10);
-  return power >= -2 && power <= 3 ? d3.format(",")(value)
-    : "10" + String(power).replace(/[-0-9]/g, (digit) => digit === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[digit]);
-}
-
-/** Whole decades around all values. */
-function wholeDecades(values) {
-  const [low, high] = d3.extent(values).map((value) => Math.log(value) / Math.LN10);
-  const first = Math.floor(low + 1e-9);
-  return [first, Math.max(Math.ceil(high - 1e-9), first + 1)].map((power) => Number("1e" + power));
-}
-
-function axes(svg, frame, x, y, labels) {
-  const lying = d3.svg.axis().scale(x).orient("bottom").tickSize(5, 0).tickPadding(6);
-  const upright = d3.svg.axis().scale(y).orient("left").tickSize(-(frame.right - frame.left), 0).tickPadding(8);
-  const columns = Math.max(3, Math.floor((frame.right - frame.left) / 90));
-  const lines = Math.max(3, Math.floor((frame.bottom - frame.top) / 45));
-  if (labels.log) {
-    lying.tickValues(decades(x.domain(), columns)).tickFormat(labels.xText);
-    upright.tickValues(decades(y.domain(), lines)).tickFormat(powerText);
-  } else {
-    lying.ticks(columns);
-    upright.ticks(lines);
-    if (y.domain()[1] >= 1e5) upright.tickFormat(d3.format("s"));
-  }
-  const below = svg.append("g").attr("class", "axis").attr("transform", `translate(0,${frame.bottom})`).call(lying);
-  const left = svg.append("g").attr("class", "axis").attr("transform", `translate(${frame.left},0)`).call(upright);
-  for (const axis of [below, left])
-    axis.selectAll("text").each(function () { this.textContent = this.textContent.replace("-", "−"); });
-  svg.append("line").attr({class: "baseline", x1: frame.left, x2: frame.right, y1: frame.bottom, y2: frame.bottom});
-  svg.append("text").attr({x: frame.right, y: labels.y, "text-anchor": "end"}).text(labels.x);
-  svg.append("text").attr({x: 0, y: 12}).text(labels.value);
-}
-
 function drawErrors(svg, points, colour, x, y) {
-  svg.append("g").selectAll("line").data(points.filter((p) => known(p.error))).enter().append("line")
-    .attr({class: "error", x1: (p) => x(p.x), x2: (p) => x(p.x), y1: (p) => Math.min(y(p.y - p.error), y.range()[0]),
-      y2: (p) => y(p.y + p.error)}).style("stroke", colour);
+  const bar = (p) => `M${x(p.x)},${Math.min(y(p.y - p.error), y.range()[0])}V${y(p.y + p.error)}`;
+  const bars = points.filter((p) => known(p.error)).map(bar).join("");
+  if (bars) svg.append("path").attr({class: "error", d: bars}).style("stroke", colour);
 }
 
 /** Between `y` and `top` of its points. */
@@ -112,7 +63,8 @@ function drawSeries(svg, series, x, y) {
   if (series.style === "dots") {
     drawErrors(svg, points, series.colour, x, y);
     svg.append("g").selectAll("circle").data(points).enter().append("circle")
-      .attr({cx: (p) => x(p.x), cy: (p) => y(p.y), r: 4.5, fill: "#fff", stroke: series.colour, "stroke-width": 2});
+      .attr({cx: (p) => x(p.x), cy: (p) => y(p.y), r: 4.5, "stroke-width": 2})
+      .style({fill: "var(--paper)", stroke: series.colour});
     return;
   }
   if (series.style === "block") { drawBetween(svg, points, series.colour, x, y); return; }
@@ -122,18 +74,19 @@ function drawSeries(svg, series, x, y) {
   drawErrors(svg, points, series.colour, x, y);
   if (series.marks)
     svg.append("g").selectAll("circle").data(points).enter().append("circle")
-      .attr({cx: (p) => x(p.x), cy: (p) => y(p.y), r: 2.6, fill: series.colour});
+      .attr({cx: (p) => x(p.x), cy: (p) => y(p.y), r: 2.6}).style("fill", series.colour);
 }
 
 /** Shows the values of every series at the place nearest to the pointer along x. */
 function follow(svg, frame, x, y, spec) {
-  const places = d3.set(d3.merge(spec.series.map((series) => series.points.map((p) => p.x)))).values().map(Number)
-    .sort(d3.ascending);
+  let places = null;
   const cursor = svg.append("line").attr({class: "cursor", y1: frame.top, y2: frame.bottom})
     .style("display", "none");
   const leave = () => { cursor.style("display", "none"); hideTip(); if (spec.onLeave) spec.onLeave(); };
   svg.append("rect").attr({class: "catch", x: frame.left, y: frame.top, width: frame.right - frame.left,
     height: frame.bottom - frame.top}).on("mousemove", function () {
+    places = places || d3.set(d3.merge(spec.series.map((series) => series.points.map((p) => p.x)))).values().map(Number)
+      .sort(d3.ascending);
     const wanted = x.invert(d3.mouse(this)[0]);
     const after = d3.bisectLeft(places, wanted);
     const place = after > 0 && (after === places.length || wanted - places[after - 1] < places[after] - wanted)
@@ -149,33 +102,51 @@ function follow(svg, frame, x, y, spec) {
   }).on("mouseleave", leave);
 }
 
+/** A line at the chosen place along x, and what moves it. */
+function markPlace(svg, frame, x, chosen) {
+  const line = svg.append("line").attr({class: "now", y1: frame.top, y2: frame.bottom});
+  const move = () => {
+    const place = chosen();
+    line.style("display", known(place) ? null : "none");
+    if (known(place)) line.attr({x1: x(place), x2: x(place)});
+  };
+  move();
+  return move;
+}
+
 /**
  * A chart of lines and points. spec: name, x and value (axis labels), series [{name, colour, style, marks,
- * points: [{x, y, error}]}] (in the style "block" [{x, y, top}]: what lies between is filled), rules [{y, text}], zero (y from 0), span (x from, to), place(x), text(point); or log (both
- * axes logarithmic, all values above 0) and xText(x).
+ * points: [{x, y, error}]}] (in the style "block" [{x, y, top}]: what lies between is filled), rules [{y, text}],
+ * zero (y from 0), span (x from, to), place(x), text(point); or log (both axes logarithmic, all values above 0) and
+ * xText(x); xTicks: the places of the numbers along x, with xText; xScale(x): the scale whose numbers stand along x; now(): a place along x to mark. Returns what moves the
+ * mark.
  */
-function lineChart(container, spec) {
+function drawChart(place, width, spec) {
   const all = d3.merge(spec.series.map((series) => series.points)).filter((p) => known(p.x) && known(p.y));
-  if (!all.length) { nothing(container, "Not recorded in this run."); return; }
-  responsive(container, (place, width) => {
-    key(place, spec.series);
-    const strip = spec.strip ? spec.strip.height : 0;
-    const height = (spec.height || 270) + strip;
-    const frame = {left: 52, right: width - 6, top: 24, bottom: height - 44 - strip};
-    const svg = canvas(place, width, height, spec.name);
-    const scale = spec.log ? d3.scale.log : d3.scale.linear;
-    const x = scale().domain(spec.span || d3.extent(all, (p) => p.x)).range([frame.left, frame.right]);
-    const floor = spec.zero && d3.min(all, (p) => p.y) >= 0 ? 0 : -Infinity;
-    const reach = d3.extent(d3.merge([all.map((p) => known(p.top) ? p.top : p.y + (p.error || 0)),
-      all.map((p) => Math.max(floor, p.y - (p.error || 0))), (spec.rules || []).map((rule) => rule.y)]));
-    const y = scale().domain(spec.log ? wholeDecades(reach) : padded(reach, spec.zero)).range([frame.bottom, frame.top]);
-    axes(svg, frame, x, y, {x: spec.x, value: spec.value, y: frame.bottom + strip + 38, log: spec.log, xText: spec.xText});
-    if (spec.strip) spec.strip.draw(svg, frame, x);
-    for (const rule of spec.rules || []) {
-      svg.append("line").attr({class: "rule", x1: frame.left, x2: frame.right, y1: y(rule.y), y2: y(rule.y)});
-      svg.append("text").attr({x: frame.left + 6, y: y(rule.y) - 5}).text(rule.text);
-    }
-    for (const series of spec.series) drawSeries(svg, series, x, y);
-    follow(svg, frame, x, y, spec);
-  });
+  if (!all.length) { nothing(place, "Not recorded in this run."); return null; }
+  key(place, spec.series);
+  const strip = spec.strip ? spec.strip.height : 0;
+  const height = (spec.height || 270) + strip;
+  const frame = {left: 52, right: width - 6, top: 24, bottom: height - 44 - strip};
+  const svg = canvas(place, width, height, spec.name);
+  const scale = spec.log ? d3.scale.log : d3.scale.linear;
+  const x = scale().domain(spec.span || d3.extent(all, (p) => p.x)).range([frame.left, frame.right]);
+  const floor = spec.zero && d3.min(all, (p) => p.y) >= 0 ? 0 : -Infinity;
+  const reach = d3.extent(d3.merge([all.map((p) => known(p.top) ? p.top : p.y + (p.error || 0)),
+    all.map((p) => Math.max(floor, p.y - (p.error || 0))), (spec.rules || []).map((rule) => rule.y)]));
+  const y = scale().domain(spec.log ? wholeDecades(reach) : padded(reach, spec.zero)).range([frame.bottom, frame.top]);
+  axes(svg, frame, x, y, {x: spec.x, value: spec.value, y: frame.bottom + strip + 38, log: spec.log, xText: spec.xText,
+    xScale: spec.xScale, xTicks: spec.xTicks});
+  if (spec.strip) spec.strip.draw(svg, frame, x);
+  for (const rule of spec.rules || []) {
+    svg.append("line").attr({class: "rule", x1: frame.left, x2: frame.right, y1: y(rule.y), y2: y(rule.y)});
+    svg.append("text").attr({x: frame.left + 6, y: y(rule.y) - 5}).text(rule.text);
+  }
+  const move = spec.now ? markPlace(svg, frame, x, spec.now) : null;
+  for (const series of spec.series) drawSeries(svg, series, x, y);
+  follow(svg, frame, x, y, spec);
+  return move;
 }
+
+/** The chart in a container of changing width. */
+const lineChart = (container, spec) => responsive(container, (place, width) => drawChart(place, width, spec));

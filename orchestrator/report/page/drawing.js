@@ -12,7 +12,7 @@ const shellArc = arc(data.sector.shell_radius);
 const plateArc = arc(data.sector.plate_radius);
 
 /**
- * A drawing of one pitch with equal scales, in mm, as wide as `width` [px] allows: shell, sector edges and the
+ * A drawing of one pitch with equal scales, as wide as `width` [px] allows: shell, sector edges and the
  * new plate are drawn. `crest` is the highest place shown [m]. Returns the svg, x and y scales (from metres) and
  * path(points).
  */
@@ -28,9 +28,9 @@ function sectorDrawing(container, width, name, crest, head) {
   const x = d3.scale.linear().domain(reach).range([frame.left, right]);
   const y = d3.scale.linear().domain([bottom, top]).range([frame.bottom, frame.top]);
   const svg = canvas(container, width, frame.bottom + margin.bottom, name);
-  axes(svg, frame, x.copy().domain(reach.map(inMillimetres)), y.copy().domain([bottom, top].map(inMillimetres)),
-    {x: "along the direction of rotation → [mm]", value: "", y: frame.bottom + 38});
-  svg.append("text").attr({x: 0, y: frame.top - 8}).text("height over the new plate [mm]");
+  axes(svg, frame, x.copy().domain(reach.map(inLength)), y.copy().domain([bottom, top].map(inLength)),
+    {x: `along the direction of rotation → [${lengthUnit()}]`, value: "", y: frame.bottom + 38});
+  svg.append("text").attr({x: 0, y: frame.top - 8}).text(`height over the new plate [${lengthUnit()}]`);
 
   const path = d3.svg.line().defined((p) => known(p[0]) && known(p[1])).x((p) => x(p[0])).y((p) => y(p[1]));
   const outside = arc(data.sector.shell_radius + 0.012 * (reach[1] - reach[0]));

@@ -27,25 +27,26 @@ function summed(lines, direction) {
   return first === undefined ? {first: 0, rates: []} : {first, rates: rates.slice(first, last + 1)};
 }
 
-/** Colours from light to dark rust for the lines of one kind, in their order. */
+/** Colours for the lines of one kind, in their order. */
 const lineColours = (count) => d3.scale.linear().domain([0, 0.35, 0.7, 1].map((share) => share * Math.max(count - 1, 1)))
-  .range(["#d9a032", "#a8321c", "#2c8a93", "#16365c"]).interpolate(d3.interpolateLab);
+  .range(isDark() ? ["#e5b550", "#f07f62", "#4fc3cb", "#8db8e8"] : ["#b8801c", "#a8321c", "#2c8a93", "#16365c"])
+  .interpolate(d3.interpolateLab);
 
-function drawImpacts(container, lines, direction) {
-  const fresh = container.cloneNode(false);
-  container.replaceWith(fresh);
+function drawImpacts(place, width, {kind, direction}) {
+  const lines = data.impacts[chosenCycle.index][kind];
   const colours = lineColours(lines.length);
   const series = lines.map((line, i) => ({name: line.name, colour: colours(i), style: "thin", points: exceedances(line[direction])}))
     .filter((one) => one.points.length);
-  if (lines.length > 1) series.unshift({name: "all", colour: "#1c2126", points: exceedances(summed(lines, direction))});
+  if (lines.length > 1) series.unshift({name: "all", colour: "var(--ink)", points: exceedances(summed(lines, direction))});
   const most = d3.max(series, (one) => d3.max(one.points, (p) => p.x));
   for (const one of series) one.points = one.points.filter((p) => p.x > most / Math.pow(10, shownDecades));
-  lineChart(fresh, {name: "Collisions above an energy", x: "energy dissipated by a collision", value: "collisions a second",
+  drawChart(place, width, {name: "Collisions above an energy", x: "energy dissipated by a collision", value: "collisions a second",
     series, log: true, xText: (energy) => withPrefix(energy, "J"), place: (energy) => "more than " + withPrefix(energy, "J"),
     text: (p) => significant(3)(p.y) + " 1/s", height: 300});
 }
 
-function fillImpacts(impacts) {
+function fillImpacts() {
+  const impacts = data.impacts[chosenCycle.index];
   const rows = impacts.liner.map((line) => ({...line, against: "liner"}))
     .concat(impacts.particles.map((line) => ({...line, against: "particles"})))
     .filter((line) => line.events_per_second > 0);
@@ -60,23 +61,15 @@ function fillImpacts(impacts) {
     {head: "Power, shear", unit: "W", text: (row) => significant(3)(row.shear_power)},
     {head: "Not seen whole", unit: "%", text: (row) => significant(2)(inPercent(row.unfinished_share))},
   ];
-  document.getElementById("impacts-table").replaceChildren();
-  fillTable("impacts-table", rows, columns, (row, before) => row.against !== before.against);
-}
-
-function showImpacts() {
-  const impacts = data.impacts[chosenCycle.index];
-  for (const chart of impactCharts)
-    drawImpacts(document.getElementById(chart.id), impacts[chart.kind], chart.direction);
-  fillImpacts(impacts);
+  fillTable("impacts-table", `Collisions in cycle ${impacts.cycle}`, rows, columns, (row, before) => row.against !== before.against);
 }
 
 function startImpacts() {
   if (!data.impacts.length) {
-    nothing(document.getElementById("impacts-controls"), "No load was published yet.");
-    document.querySelectorAll("#impacts figure, #impacts .caption, #impacts .scroll").forEach((part) => part.remove());
+    nothing(document.getElementById("impacts-table"), "No load was published yet.");
+    document.querySelectorAll("#impacts figure, #impacts .caption").forEach((part) => part.remove());
     return;
   }
-  offerCycles("impacts");
-  onCycle(showImpacts);
+  for (const chart of impactCharts) cyclePanel(chart.id, (place, width) => drawImpacts(place, width, chart));
+  cyclePanel("impacts-table", fillImpacts);
 }

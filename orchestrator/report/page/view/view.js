@@ -70,14 +70,14 @@ function fillChargeView(section, viewed) {
     near = seen;
     redraw();
   });
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redraw);
+  onSettings(redraw);
 }
 
 /** Builds the view of the charge in an empty section: the mill in space, which turns and plays, new beside worn. */
 function startChargeView(section) {
   const cycles = ((data.charge || {}).cycles || []).filter(({frames}) => frames && frames.times.length > 1);
   section.classList.add("charge-view");
-  section.append(element("h2", {}, "The charge in the mill"));
+  section.append(element("h3", {}, "In the mill"));
   if (!cycles.length) {
     section.append(element("p", {class: "nothing"}, "No frames of the charge were kept in this run."));
     return;

@@ -1,0 +1,40 @@
+/** Hours on the liner as the reader wants them along an axis: hours, tonnes milled, or dates. */
+const millisecondsPerHour = 3.6e6;
+const courseEnd = data.history.length ? data.history[data.history.length - 1] : {operating_hours: 0, tonnes: null};
+const tonnesPerHour = courseEnd.operating_hours > 0 && known(courseEnd.tonnes) ? courseEnd.tonnes / courseEnd.operating_hours : 0;
+const campaignHours = [0, d3.max(data.history.concat(data.measured), (row) => row.operating_hours) || 1];
+
+/** The date on which the liner has run so many hours. Known where the first day is. */
+const dateAt = (hours) => new Date(new Date(settings.start + "T00:00").getTime() +
+  hours * millisecondsPerHour / (Number(settings.running) / 100));
+const dateText = (hours) => d3.time.format("%-d %b %Y")(dateAt(hours));
+
+function massScale() {
+  const most = tonnesPerHour * campaignHours[1];
+  return most >= 1e6 ? {factor: 1e6, unit: "Mt"} : most >= 1e4 ? {factor: 1e3, unit: "kt"} : {factor: 1, unit: "t"};
+}
+
+/** The label of the axis, and the scale of its numbers for a scale of hours. */
+function courseAxis() {
+  if (settings.axis === "dates") return {label: "date", scale: (x) =>
+    d3.time.scale().domain(x.domain().map(dateAt)).range(x.range())};
+  if (settings.axis === "tonnes") {
+    const {factor, unit} = massScale();
+    return {label: `milled [${unit}]`, scale: (x) => x.copy().domain(x.domain().map((hours) => hours * tonnesPerHour / factor))};
+  }
+  return {label: "operating hours", scale: (x) => x};
+}
+
+/** Hours with what the axis counts in front of them. */
+function courseText(hours) {
+  if (settings.axis === "dates") return `${dateText(hours)} (${hoursText(hours)})`;
+  if (settings.axis === "tonnes") return `${massText(hours * tonnesPerHour).join(" ")} (${hoursText(hours)})`;
+  return hoursText(hours);
+}
+
+/** A chart over the campaign, with a line at the chosen cycle. Returns what moves this line. */
+function courseChart(place, width, spec) {
+  const axis = courseAxis();
+  return drawChart(place, width, {span: campaignHours, place: courseText, x: axis.label, xScale: axis.scale,
+    now: () => data.loads.length ? ageOfCycle(chosenLoad().cycle) : null, ...spec});
+}

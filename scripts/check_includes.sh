@@ -46,7 +46,7 @@ orchestrator/loads: mill wear orchestrator/campaign
 orchestrator/stages: mill wear orchestrator/process orchestrator/campaign orchestrator/dem_run orchestrator/stretch orchestrator/loads
 orchestrator/charge: mill wear/charge orchestrator/campaign
 orchestrator/results: mill wear orchestrator/campaign orchestrator/dem_run orchestrator/loads orchestrator/charge
-orchestrator/report: mill/base mill/case wear/charge orchestrator/process orchestrator/charge orchestrator/results
+orchestrator/report: mill/base mill/case mill/load wear/charge wear/record orchestrator/process orchestrator/charge orchestrator/results
 orchestrator/pictures: mill wear orchestrator/process orchestrator/campaign orchestrator/charge orchestrator/loads orchestrator/results
 orchestrator/vtk: mill/base
 orchestrator/export: mill wear orchestrator/campaign orchestrator/loads orchestrator/results orchestrator/vtk

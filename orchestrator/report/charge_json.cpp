@@ -10,6 +10,7 @@
 #include "mill/base/number_or_null.h"
 #include "orchestrator/report/base64.h"
 #include "orchestrator/report/page_frames.h"
+#include "wear/record/charge_motion.h"
 
 namespace millwear::orchestrator {
 namespace {
@@ -33,10 +34,9 @@ struct Scale {
   double high;
 };
 
-/// From the smallest to the largest of the values but for a few of the outermost. Shares, energies
-/// and powers begin at zero: what is below is elastic energy on its way.
+/// From the smallest to the largest of the values but for a few of the outermost. All but velocities
+/// and sizes begin at zero: powers below are elastic energy on its way.
 Scale scale_of(std::vector<double> values, const std::string& unit) {
-  if (unit == "1") return {0.0, 1.0};
   std::erase_if(values, [](double value) { return !std::isfinite(value); });
   if (values.empty()) return {0.0, 1.0};
   const auto at = [&](double share) {
@@ -165,6 +165,7 @@ std::string charge_json(const CampaignResults& data) {
                        {"density", one.density}});
   return Json{{"classes", classes},
               {"speed", data.charge.speed},
+              {"locked_slip", wear::locked_slip},
               {"slice_length", data.charge.slice_length},
               {"cycles", cycles}}
       .dump(-1, ' ', false, Json::error_handler_t::replace);

@@ -15,7 +15,7 @@ namespace millwear::orchestrator {
 namespace {
 
 // Two particles, two frames. In 16 bits x runs from one end of `across` to the other, y of `along`.
-constexpr auto charge = R"({"speed": 1, "slice_length": 0.25, "classes": [
+constexpr auto charge = R"({"speed": 1, "locked_slip": 0.05, "slice_length": 0.25, "classes": [
   {"name": "steel 60 mm", "material": "steel", "diameter": 0.06},
   {"name": "ore 100 mm", "material": "ore", "diameter": 0.1}], "cycles": [
   {"cycle": 0, "frames": FRAMES, "pictures": {"section": "data:image/png;base64,"}},
@@ -86,16 +86,16 @@ TEST_F(ChargeView, FindsTheIntervalOfATimeAndStaysInsideOfTheFrames) {
 }
 
 // The mill turns with 1 rad/s: at (-3, 0.15) the wall rises with 3 m/s. So does the first particle,
-// and along the axis it leaves the slice of 0.25 m at 0.24 and is back at 0.01: 0.2 m/s. The second
-// stands still. The balls are equal, so half of their mass moves with the mill.
+// and along the axis it leaves the slice of 0.25 m at 0.24 and is back at 0.005: 0.15 m/s, less than
+// a twentieth of the plate's 3.9 m/s. The second stands still. The balls are equal, so half of their mass moves with the mill.
 TEST_F(ChargeView, TellsWhatMovesWithTheMillAcrossTheEndOfTheSlice) {
   const auto movement = value_of(
       "movementOf({particles: 2, times: [0, 0.1], classes: [0, 0],"
-      "places: [-3, 0.24, 0, 0, 0.1, -3, -3, 0.01, 0.3, 0, 0.1, -3]})");
+      "places: [-3, 0.24, 0, 0, 0.1, -3, -3, 0.005, 0.3, 0, 0.1, -3]})");
   EXPECT_EQ(movement["withMill"].size(), 1u);
   EXPECT_EQ(movement["withMill"][0][0].get<std::string>(), "steel");
   EXPECT_NEAR(movement["withMill"][0][1].get<double>(), 0.5, 1e-12);
-  EXPECT_NEAR(movement["fast"].get<double>(), std::hypot(3.0, 0.2), 1e-6);
+  EXPECT_NEAR(movement["fast"].get<double>(), std::hypot(3.0, 0.15), 1e-6);
 }
 
 // A square of 4 x 3 with a notch of 1 x 1 that is narrower than what stands over it.

@@ -44,7 +44,7 @@ function colouringBySpeed(fast) {
 
 function colouringByMill() {
   return {entry: 2, fast: 1, palette: paletteOf((i) => withMillColours[Math.min(i, 1)]), legend: (place) => key(place, [
-    {name: `moves with the mill: velocity within ${inPercent(slipOfWall)} % of the wall's rotation there`, style: "block",
+    {name: `moves with the mill, to ${significant(2)(slipWithMill())} m/s`, style: "block",
       colour: withMillColours[1]},
     {name: "does not", style: "block", colour: withMillColours[0]}])};
 }

@@ -1,9 +1,10 @@
-/** A particle moves with the mill where its velocity differs from the wall's rotation by less than this share of it. */
-const slipOfWall = 0.2;
+/** A particle moves with the mill where its velocity differs from the mill's rotation by less than this [m/s]. */
+const slipWithMill = () => data.charge.locked_slip * data.charge.speed * data.sector.plate_radius;
 
 /** Calls visit(particle, speed [m/s], whether it moves with the mill) for every particle between all frames. */
 function eachMovement({places, particles, times}, visit) {
   const {speed: turning, slice_length: slice} = data.charge;
+  const most = slipWithMill();
   for (let frame = 1; frame < times.length; frame++) {
     const duration = times[frame] - times[frame - 1];
     for (let i = 0; i < particles; i++) {
@@ -17,7 +18,7 @@ function eachMovement({places, particles, times}, visit) {
       const wallX = turning * (places[to + 2] + places[from + 2]) / 2;
       const wallZ = -turning * (places[to] + places[from]) / 2;
       const slip = (vx - wallX) * (vx - wallX) + vy * vy + (vz - wallZ) * (vz - wallZ);
-      visit(i, Math.sqrt(vx * vx + vy * vy + vz * vz), slip < slipOfWall * slipOfWall * (wallX * wallX + wallZ * wallZ));
+      visit(i, Math.sqrt(vx * vx + vy * vy + vz * vz), slip < most * most);
     }
   }
 }

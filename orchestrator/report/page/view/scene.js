@@ -30,7 +30,7 @@ function sphereDrawing(gl, program, frames) {
     gl.vertexAttribDivisor(location, 1);
   }
   return (uniforms, interval) => {
-    useProgram(gl, program, {...uniforms, turning: data.charge.speed, low: frames.low, slice: data.charge.slice_length});
+    useProgram(gl, program, {...uniforms, turning: data.charge.speed, slip: slipWithMill(), low: frames.low, slice: data.charge.slice_length});
     gl.bindVertexArray(vertices);
     gl.bindBuffer(gl.ARRAY_BUFFER, places);
     for (const location of [0, 1])

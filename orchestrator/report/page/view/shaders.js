@@ -17,7 +17,7 @@ vec3 lit(vec3 colour, vec3 normal) {
 /** A square in front of each particle, on which the sphere is found by where the ray meets it. */
 const sphereShaders = {
   vertex: shaderStart + `
-uniform float share, duration, turning, low, slice, fast, pixel;
+uniform float share, duration, turning, slip, low, slice, fast, pixel;
 uniform int colouring;
 uniform highp sampler2D palette;
 layout(location = 0) in vec3 before;
@@ -35,7 +35,7 @@ int entry(vec3 move) {
   if (colouring == 1) return int(255.0 * clamp(length(velocity) / fast, 0.0, 1.0));
   vec3 middle = before + 0.5 * move;
   vec3 wall = turning * vec3(middle.z, 0.0, -middle.x);
-  return distance(velocity, wall) < SLIP * length(wall) ? 1 : 0;
+  return distance(velocity, wall) < slip ? 1 : 0;
 }
 
 void main() {
@@ -55,7 +55,7 @@ void main() {
   ray = centre + reach * (corner.x * right + corner.y * up);
   gl_Position = seen(ray);
 }
-`.replace("SLIP", slipOfWall.toFixed(3)),
+`,
   fragment: shaderStart + lightShader + `
 flat in vec3 centre;
 flat in float radius;

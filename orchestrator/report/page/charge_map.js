@@ -54,9 +54,9 @@ function pixelCanvas(values, columns, {low, high}) {
   return drawn;
 }
 
-/** An svg over a canvas of the same size; the canvas is drawn at the screen's resolution. */
+/** An svg over a canvas of the same size; the canvas is drawn at the resolution of the screen or of paper. */
 function canvasUnderSvg(place, width, height, name) {
-  const ratio = Math.max(2, window.devicePixelRatio || 1);
+  const ratio = printing ? 3 : devicePixelRatio;
   const under = element("canvas", {width: Math.round(width * ratio), height: Math.round(height * ratio), "aria-hidden": "true"});
   const both = element("div", {class: "map"}, under);
   place.append(both);

@@ -21,6 +21,7 @@
 #include "orchestrator/campaign/output_path.h"
 #include "orchestrator/export/paraview_folder.h"
 #include "orchestrator/export/published_campaign.h"
+#include "orchestrator/pictures/charge_pictures.h"
 
 namespace millwear::orchestrator {
 namespace {
@@ -56,20 +57,23 @@ std::vector<LinerFile> liner_files(const ExportOptions& options) {
 
 /// Throws Failure (usage) where something that was asked for goes with nothing else.
 void check_choice(const ExportOptions& options, bool has_liner_files) {
-  if (!options.paraview && !has_liner_files)
+  if (!options.paraview && !options.images && !has_liner_files)
     throw Failure(ExitCode::usage,
-                  "export what? Name a folder with --paraview, or a file with --stl, --step, --dxf "
-                  "or --csv");
-  if ((options.cycle || options.at_step) && !has_liner_files)
+                  "export what? Name a folder with --paraview or --images, or a file with --stl, "
+                  "--step, --dxf or --csv");
+  if ((options.cycle && !options.images && !has_liner_files) ||
+      (options.at_step && !has_liner_files))
     throw Failure(ExitCode::usage,
-                  "--cycle and --at-step choose the liner of --stl, --step, --dxf and --csv; "
-                  "--paraview has all steps. Add one of these, or leave the choice out");
+                  "--cycle and --at-step choose the liner of --stl, --step, --dxf and --csv, and "
+                  "--cycle the pictures of --images; --paraview has all steps. Add one of these, "
+                  "or leave the choice out");
   if (options.extent == LinerExtent::one_lifter && !options.paraview)
     throw Failure(ExitCode::usage, "--one-lifter is for --paraview; add that, or leave it out");
 }
 
 void check_places(const ExportOptions& options, const std::vector<LinerFile>& files) {
   if (options.paraview) check_output_folder("--paraview", *options.paraview);
+  if (options.images) check_output_folder("--images", *options.images);
   for (const auto& [option, file, write] : files)
     check_output_file(option, file, {options.common.case_file});
 }
@@ -116,6 +120,24 @@ Json json_of(const ProfileRow& row, const std::vector<LinerFile>& files) {
           {"files", names}};
 }
 
+/// Of a cycle, or of the last that recorded its charge; returns which.
+int write_pictures(const PublishedCampaign& published, std::optional<int> cycle,
+                   const fs::path& folder) {
+  std::optional<int> chosen = cycle;
+  for (int last = cycles_begun(published) - 1; !chosen && last >= 0; --last)
+    if (frames_of(published, last)) chosen = last;
+  if (!chosen || !frames_of(published, *chosen))
+    throw Failure(
+        ExitCode::usage,
+        fmt::format("{} has no dem/charge.h5 with frames of {}: the cycle is not measured yet, or "
+                    "by an earlier version; `millwear run` into another folder (--out) measures "
+                    "it again",
+                    published.campaign.folder.root.string(),
+                    chosen ? fmt::format("cycle {}", *chosen) : "any cycle"));
+  write_pictures_of_cycle(published.campaign, *published.ledger, *chosen, folder);
+  return *chosen;
+}
+
 }  // namespace
 
 void add_options(CLI::App& verb, ExportOptions& options) {
@@ -126,12 +148,15 @@ void add_options(CLI::App& verb, ExportOptions& options) {
   verb.add_flag_callback(
       "--one-lifter", [&] { options.extent = LinerExtent::one_lifter; },
       "With --paraview: one lifter with its plate in place of the whole ring");
+  verb.add_option("--images", options.images,
+                  "Write the pictures of one cycle's charge, and the section in each of its frames "
+                  "for a film, as PNG into this folder");
   verb.add_option("--stl", options.stl, "Write the liner of one step as the DEM's mesh [m]");
   verb.add_option("--step", options.step, "Write one lifter with its plate as a solid [mm]");
   verb.add_option("--dxf", options.dxf, "Write its profile as a polyline [mm]");
   add_csv(verb, options.csv, "Write its profile as nodes xi_m,eta_m [m]");
   verb.add_option("--cycle", options.cycle,
-                  "Cycle of the liner in these files; by default the last");
+                  "Cycle of the liner in these files, and of the pictures; by default the last");
   verb.add_option(
       "--at-step", options.at_step,
       "Geometry step of that cycle; by default its last, 0 in cycle 0 is the new liner");
@@ -154,6 +179,12 @@ void export_verb(const ExportOptions& options) {
     if (options.common.form == OutputForm::text)
       fmt::print("cycle {}, step {}, {:.0f} h: {}\n", row.cycle, row.step, row.operating_hours,
                  fmt::join(json["liner"]["files"].get<std::vector<std::string>>(), ", "));
+  }
+  if (options.images) {
+    const int cycle = write_pictures(published, options.cycle, *options.images);
+    json["images"] = {{"cycle", cycle}, {"folder", options.images->string()}};
+    if (options.common.form == OutputForm::text)
+      fmt::print("cycle {}: {}\n", cycle, options.images->string());
   }
   if (options.paraview) {
     const auto written = export_to_paraview(published, options.extent, *options.paraview);

@@ -9,7 +9,9 @@
 #include <future>
 #include <string_view>
 
+#include "mill/base/failure.h"
 #include "mill/base/published_file.h"
+#include "mill/base/whole_file.h"
 #include "orchestrator/loads/cycle_load.h"
 #include "orchestrator/loads/kept_file.h"
 #include "orchestrator/pictures/charge_views.h"
@@ -31,7 +33,7 @@ struct PictureSource {
   double fastest;  ///< [m/s], at the end of the scale of speeds
 
   [[nodiscard]] ChargeAtInstant instant(Colouring colouring) const {
-    return {*cycle.frames, cycle.liner, colouring, class_colours(charge.classes), fastest};
+    return {*cycle.frames, 0, cycle.liner, colouring, class_colours(charge.classes), fastest};
   }
 };
 
@@ -103,14 +105,17 @@ CycleWork work_of(const Campaign& campaign, const Ledger& ledger, bool chosen,
   return work;
 }
 
+double speed_scale_of(const Campaign& campaign) {
+  return speed_scale(2.0 * campaign.mill.liner.sector.shell_radius);
+}
+
 void draw(const Campaign& campaign, const ShownCharge& charge, CycleWork& work) {
   if (work.missing.empty()) return;
   const int number = work.cycle.cycle;
   const ShownCharge whole = charge_of_cycles(campaign, {number});
   if (!whole.cycles.front().frames) return;
   const CycleLoad load = load_of_cycle(campaign, number);
-  const PictureSource source{charge, whole.cycles.front(), load,
-                             speed_scale(2.0 * campaign.mill.liner.sector.shell_radius)};
+  const PictureSource source{charge, whole.cycles.front(), load, speed_scale_of(campaign)};
   for (const PictureKind* kind : work.missing) {
     const ChargePicture picture = kind->draw(source);
     if (!picture.png.empty()) publish(png_file(campaign, number, kind->name), picture.png);
@@ -133,6 +138,18 @@ void check_renderers() {
   static_cast<void>(program_on_path("gnuplot", "gnuplot-nox"));
 }
 
+/// Calls work(0) ... work(count - 1), side by side on the cores there are.
+void for_each_on_all_cores(std::size_t count, const std::function<void(std::size_t)>& work) {
+  std::atomic<std::size_t> next = 0;
+  const auto some = [&] {
+    for (std::size_t i = next++; i < count; i = next++) work(i);
+  };
+  std::vector<std::future<void>> workers;
+  for (int i = 1; i < usable_cores(); ++i) workers.push_back(std::async(std::launch::async, some));
+  some();
+  for (auto& worker : workers) worker.get();
+}
+
 }  // namespace
 
 bool draw_charge_pictures(const Campaign& campaign, const Ledger& ledger,
@@ -142,20 +159,37 @@ bool draw_charge_pictures(const Campaign& campaign, const Ledger& ledger,
   if (std::ranges::all_of(works, complete)) return false;
   check_renderers();
   fs::create_directories(campaign.folder.results() / "pictures");
-  std::atomic<std::size_t> next = 0;
-  const auto draw_some = [&] {
-    for (std::size_t i = next++; i < works.size(); i = next++) draw(campaign, charge, works[i]);
-  };
-  std::vector<std::future<void>> workers;
-  for (int i = 1; i < usable_cores(); ++i)
-    workers.push_back(std::async(std::launch::async, draw_some));
-  draw_some();
-  for (auto& worker : workers) worker.get();
+  for_each_on_all_cores(works.size(), [&](std::size_t i) { draw(campaign, charge, works[i]); });
   return true;
 }
 
 void add_kept_pictures(const Campaign& campaign, const Ledger& ledger, ShownCharge& charge) {
   static_cast<void>(works_of(campaign, ledger, {}, charge));
+}
+
+void write_pictures_of_cycle(const Campaign& campaign, const Ledger& ledger, int cycle,
+                             const fs::path& folder) {
+  const ShownCharge charge = charge_of_cycles(campaign, {cycle});
+  if (charge.cycles.empty() || !charge.cycles.front().frames)
+    throw Failure(
+        ExitCode::usage,
+        fmt::format("cycle {} has no dem/charge.h5 with frames; --cycle chooses another", cycle));
+  check_renderers();
+  make_folder(folder);
+  const auto& load_hash = ledger.find({cycle, StageKind::dem})->outputs.at(stage_files::load);
+  const CycleLoad load = look_at_load_of_cycle(campaign, cycle, load_hash);
+  const PictureSource source{charge, charge.cycles.front(), load, speed_scale_of(campaign)};
+  const std::size_t frames = source.cycle.frames->frames();
+  for_each_on_all_cores(kinds.size() + frames, [&](std::size_t i) {
+    if (i < kinds.size()) {
+      const std::string png = kinds[i].draw(source).png;
+      if (!png.empty()) publish(folder / fmt::format("{}.png", kinds[i].name), png);
+      return;
+    }
+    ChargeAtInstant instant = source.instant(Colouring::speed);
+    instant.frame = i - kinds.size();
+    publish(folder / fmt::format("frame_{:02}.png", instant.frame), section_picture(instant).png);
+  });
 }
 
 std::set<int> first_and_last(const ShownCharge& charge) {

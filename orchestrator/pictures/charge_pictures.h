@@ -1,4 +1,5 @@
 #pragma once
+#include <filesystem>
 #include <set>
 
 #include "orchestrator/campaign/campaign.h"
@@ -18,6 +19,12 @@ bool draw_charge_pictures(const Campaign& campaign, const Ledger& ledger,
 
 /// Puts the pictures that were kept into `charge`.
 void add_kept_pictures(const Campaign& campaign, const Ledger& ledger, ShownCharge& charge);
+
+/// Writes all pictures of one cycle as `NAME.png` into a folder, and the section in each of its
+/// frames as `frame_NN.png`, for a film. The campaign is only read. Throws Failure (usage) where
+/// the cycle has no `charge.h5`, and as `draw_charge_pictures`.
+void write_pictures_of_cycle(const Campaign& campaign, const Ledger& ledger, int cycle,
+                             const std::filesystem::path& folder);
 
 /// The first and the last cycle that recorded the charge.
 [[nodiscard]] std::set<int> first_and_last(const ShownCharge& charge);

@@ -22,13 +22,6 @@ const std::vector<Shades> material_shades{{{0.10, 0.24, 0.42}, {0.55, 0.74, 0.90
                                           {{0.20, 0.36, 0.22}, {0.68, 0.82, 0.62}},
                                           {{0.36, 0.20, 0.40}, {0.80, 0.68, 0.84}}};
 
-Vector3d row_of(const wear::ChargeFrames& frames, std::size_t first_row, std::size_t particle) {
-  const std::size_t count = frames.particles();
-  return {frames.state[first_row * count + particle],
-          frames.state[(first_row + 1) * count + particle],
-          frames.state[(first_row + 2) * count + particle]};
-}
-
 }  // namespace
 
 double speed_scale(double diameter) {
@@ -56,19 +49,32 @@ std::vector<ColouredName> class_colours(const std::vector<ShownClass>& classes) 
   return colours;
 }
 
-std::vector<Sphere> spheres_of(const wear::ChargeFrames& frames, Colouring colouring,
-                               const std::vector<ColouredName>& classes, double fastest) {
+std::vector<Sphere> spheres_of(const wear::ChargeFrames& frames, std::size_t frame,
+                               Colouring colouring, const std::vector<ColouredName>& classes,
+                               double fastest) {
   constexpr double shades = 63.0;
   std::vector<Sphere> spheres;
   for (std::size_t i = 0; i < frames.particles(); ++i) {
     const auto kind = frames.classes[i];
-    const double share = std::min(row_of(frames, 3, i).norm() / fastest, 1.0);
-    spheres.push_back({row_of(frames, 0, i), frames.class_radius[kind],
+    const double share = std::min(speed_in(frames, frame, i) / fastest, 1.0);
+    spheres.push_back({place_in(frames, frame, i), frames.class_radius[kind],
                        colouring == Colouring::size
                            ? classes[kind].colour
                            : ramp_colour(std::round(share * shades) / shades)});
   }
   return spheres;
+}
+
+Vector3d place_in(const wear::ChargeFrames& frames, std::size_t frame, std::size_t particle) {
+  const auto packed = [&](std::size_t axis) {
+    return frames.places[(3 * frame + axis) * frames.particles() + particle];
+  };
+  return {frames.across.unpacked(packed(0)), frames.along.unpacked(packed(1)),
+          frames.across.unpacked(packed(2))};
+}
+
+double speed_in(const wear::ChargeFrames& frames, std::size_t frame, std::size_t particle) {
+  return frames.speed.unpacked(frames.speeds[frame * frames.particles() + particle]);
 }
 
 }  // namespace millwear::orchestrator

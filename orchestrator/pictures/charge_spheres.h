@@ -18,9 +18,18 @@ enum class Colouring { speed, size };
 /// smaller the brighter.
 [[nodiscard]] std::vector<ColouredName> class_colours(const std::vector<ShownClass>& classes);
 
-/// The particles of the first frame.
-[[nodiscard]] std::vector<Sphere> spheres_of(const wear::ChargeFrames& frames, Colouring colouring,
+/// The particles of one frame. `fastest` [m/s] is the scale's end.
+[[nodiscard]] std::vector<Sphere> spheres_of(const wear::ChargeFrames& frames, std::size_t frame,
+                                             Colouring colouring,
                                              const std::vector<ColouredName>& classes,
                                              double fastest);
+
+/// Where a particle is in a frame [m], in the mill frame.
+[[nodiscard]] Eigen::Vector3d place_in(const wear::ChargeFrames& frames, std::size_t frame,
+                                       std::size_t particle);
+
+/// Its speed there [m/s].
+[[nodiscard]] double speed_in(const wear::ChargeFrames& frames, std::size_t frame,
+                              std::size_t particle);
 
 }  // namespace millwear::orchestrator

@@ -19,10 +19,10 @@ const Rgb steel_colour(0.36, 0.40, 0.44);
 
 double shell_radius(const ChargeAtInstant& charge) { return charge.liner.sector.shell_radius; }
 
-double mill_angle(const ChargeAtInstant& charge) { return charge.frames.mill_angles.front(); }
+double mill_angle(const ChargeAtInstant& charge) { return charge.frames.mill_angles[charge.frame]; }
 
 std::vector<Sphere> spheres(const ChargeAtInstant& charge) {
-  return spheres_of(charge.frames, charge.colouring, charge.classes, charge.fastest);
+  return spheres_of(charge.frames, charge.frame, charge.colouring, charge.classes, charge.fastest);
 }
 
 PlotParts legend(const ChargeAtInstant& charge) {

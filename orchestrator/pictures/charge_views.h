@@ -8,9 +8,10 @@
 
 namespace millwear::orchestrator {
 
-/// A charge on its liner at the instant of the first frame, and how it is coloured.
+/// A charge on its liner at the instant of a frame, and how it is coloured.
 struct ChargeAtInstant {
   const wear::ChargeFrames& frames;
+  std::size_t frame;
   const LinerProfile& liner;
   Colouring colouring;
   std::vector<ColouredName> classes;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "orchestrator/pictures/charge_spheres.h"
 #include "orchestrator/pictures/gnuplot.h"
 #include "orchestrator/pictures/section_plot.h"
 
@@ -78,20 +79,16 @@ std::string velocity_block(const ChargeOfCycle& charge, double fastest) {
   return text + "EOD\n";
 }
 
-double place(const wear::ChargeFrames& frames, std::size_t frame, std::size_t axis,
-             std::size_t particle) {
-  return frames.across.unpacked(frames.places[(3 * frame + axis) * frames.particles() + particle]);
-}
-
 std::string track_block(const wear::ChargeFrames& frames) {
   constexpr std::size_t most_tracks = 6000;
   const std::size_t every = 1 + (frames.particles() - 1) / most_tracks;
   std::string text = "$tracks << EOD\n";
   for (std::size_t i = 0; i < frames.particles(); i += every) {
-    for (std::size_t f = 0; f < frames.frames(); ++f)
-      fmt::format_to(std::back_inserter(text), "{:.5g} {:.5g} {:.3g}\n", place(frames, f, 0, i),
-                     place(frames, f, 2, i),
-                     frames.speed.unpacked(frames.speeds[f * frames.particles() + i]));
+    for (std::size_t f = 0; f < frames.frames(); ++f) {
+      const auto place = place_in(frames, f, i);
+      fmt::format_to(std::back_inserter(text), "{:.5g} {:.5g} {:.3g}\n", place.x(), place.z(),
+                     speed_in(frames, f, i));
+    }
     text += "\n";
   }
   return text + "EOD\n";

@@ -34,8 +34,8 @@ struct Scale {
   double high;
 };
 
-/// From the smallest to the largest of the values but for a few of the outermost. All but velocities
-/// and sizes begin at zero: powers below are elastic energy on its way.
+/// From the smallest to the largest of the values but for a few of the outermost. All but
+/// velocities and sizes begin at zero: powers below are elastic energy on its way.
 Scale scale_of(std::vector<double> values, const std::string& unit) {
   std::erase_if(values, [](double value) { return !std::isfinite(value); });
   if (values.empty()) return {0.0, 1.0};

@@ -3,10 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <filesystem>
-#include <functional>
-#include <future>
 #include <string_view>
 
 #include "mill/base/failure.h"
@@ -18,7 +15,7 @@
 #include "orchestrator/pictures/field_pictures.h"
 #include "orchestrator/pictures/polar_picture.h"
 #include "orchestrator/process/child_process.h"
-#include "orchestrator/process/usable_cores.h"
+#include "orchestrator/process/on_all_cores.h"
 
 namespace millwear::orchestrator {
 namespace {
@@ -109,6 +106,7 @@ double speed_scale_of(const Campaign& campaign) {
   return speed_scale(2.0 * campaign.mill.liner.sector.shell_radius);
 }
 
+/// Reads first and draws then: HDF5 serves one thread only.
 void draw(const Campaign& campaign, const ShownCharge& charge, CycleWork& work) {
   if (work.missing.empty()) return;
   const int number = work.cycle.cycle;
@@ -116,12 +114,16 @@ void draw(const Campaign& campaign, const ShownCharge& charge, CycleWork& work) 
   if (!whole.cycles.front().frames) return;
   const CycleLoad load = load_of_cycle(campaign, number);
   const PictureSource source{charge, whole.cycles.front(), load, speed_scale_of(campaign)};
-  for (const PictureKind* kind : work.missing) {
-    const ChargePicture picture = kind->draw(source);
-    if (!picture.png.empty()) publish(png_file(campaign, number, kind->name), picture.png);
-    keep(jpeg_file(campaign, number, kind->name), work.key, picture.jpeg);
-    if (!picture.jpeg.empty()) work.cycle.pictures[std::string(kind->name)] = picture.jpeg;
-  }
+  std::vector<std::string> jpegs(work.missing.size());
+  for_each_on_all_cores(work.missing.size(), [&](std::size_t i) {
+    const PictureKind& kind = *work.missing[i];
+    ChargePicture picture = kind.draw(source);
+    if (!picture.png.empty()) publish(png_file(campaign, number, kind.name), picture.png);
+    keep(jpeg_file(campaign, number, kind.name), work.key, picture.jpeg);
+    jpegs[i] = std::move(picture.jpeg);
+  });
+  for (std::size_t i = 0; i < jpegs.size(); ++i)
+    if (!jpegs[i].empty()) work.cycle.pictures[std::string(work.missing[i]->name)] = jpegs[i];
 }
 
 std::vector<CycleWork> works_of(const Campaign& campaign, const Ledger& ledger,
@@ -138,18 +140,6 @@ void check_renderers() {
   static_cast<void>(program_on_path("gnuplot", "gnuplot-nox"));
 }
 
-/// Calls work(0) ... work(count - 1), side by side on the cores there are.
-void for_each_on_all_cores(std::size_t count, const std::function<void(std::size_t)>& work) {
-  std::atomic<std::size_t> next = 0;
-  const auto some = [&] {
-    for (std::size_t i = next++; i < count; i = next++) work(i);
-  };
-  std::vector<std::future<void>> workers;
-  for (int i = 1; i < usable_cores(); ++i) workers.push_back(std::async(std::launch::async, some));
-  some();
-  for (auto& worker : workers) worker.get();
-}
-
 }  // namespace
 
 bool draw_charge_pictures(const Campaign& campaign, const Ledger& ledger,
@@ -159,7 +149,7 @@ bool draw_charge_pictures(const Campaign& campaign, const Ledger& ledger,
   if (std::ranges::all_of(works, complete)) return false;
   check_renderers();
   fs::create_directories(campaign.folder.results() / "pictures");
-  for_each_on_all_cores(works.size(), [&](std::size_t i) { draw(campaign, charge, works[i]); });
+  for (CycleWork& work : works) draw(campaign, charge, work);
   return true;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 
@@ -11,7 +12,8 @@
 namespace millwear::orchestrator {
 namespace {
 
-constexpr int panel_height = 540;  // px
+constexpr int panel_height = 540;    // px
+constexpr double least_span = 1e-6;  // of a scale: gnuplot draws no empty one
 
 std::string circle(double radius) {
   return fmt::format(
@@ -50,7 +52,7 @@ std::string section_panel(const ChargeOfCycle& charge, const std::string& words,
   return fmt::format(
              "set xrange [{0}:{1}]\nset yrange [{0}:{1}]\nset cbrange [{2}:{3}]\nset cblabel "
              "'{4}'\nplot ",
-             -half, half, low, end, words) +
+             -half, half, low, std::max(end, low + least_span), words) +
          plots + circle(charge.liner.sector.shell_radius) + circle(crest_radius(charge.liner)) +
          "\n";
 }

@@ -86,8 +86,9 @@ TEST_F(ChargeView, FindsTheIntervalOfATimeAndStaysInsideOfTheFrames) {
 }
 
 // The mill turns with 1 rad/s: at (-3, 0.15) the wall rises with 3 m/s. So does the first particle,
-// and along the axis it leaves the slice of 0.25 m at 0.24 and is back at 0.005: 0.15 m/s, less than
-// a twentieth of the plate's 3.9 m/s. The second stands still. The balls are equal, so half of their mass moves with the mill.
+// and along the axis it leaves the slice of 0.25 m at 0.24 and is back at 0.005: 0.15 m/s, less
+// than a twentieth of the plate's 3.9 m/s. The second stands still. The balls are equal, so half of
+// their mass moves with the mill.
 TEST_F(ChargeView, TellsWhatMovesWithTheMillAcrossTheEndOfTheSlice) {
   const auto movement = value_of(
       "movementOf({particles: 2, times: [0, 0.1], classes: [0, 0],"

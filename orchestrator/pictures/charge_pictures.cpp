@@ -27,10 +27,10 @@ struct PictureSource {
   const ShownCharge& charge;
   const ChargeOfCycle& cycle;
   const CycleLoad& load;
-  double fastest;  ///< [m/s], at the end of the scale of speeds
 
   [[nodiscard]] ChargeAtInstant instant(Colouring colouring) const {
-    return {*cycle.frames, 0, cycle.liner, colouring, class_colours(charge.classes), fastest};
+    return {*cycle.frames, 0, cycle.liner, colouring, class_colours(charge.classes),
+            charge.fastest};
   }
 };
 
@@ -55,11 +55,11 @@ const std::vector<PictureKind> kinds{
     {"slice", Wanted::of_chosen_cycles,
      [](const PictureSource& s) { return slice_picture(s.instant(Colouring::speed)); }},
     {"streaks", Wanted::of_chosen_cycles,
-     [](const PictureSource& s) { return only_png(streaks_picture(s.cycle, s.fastest)); }},
+     [](const PictureSource& s) { return streaks_picture(s.cycle, s.charge.fastest); }},
     {"occupancy", Wanted::of_chosen_cycles,
      [](const PictureSource& s) { return only_png(occupancy_picture(s.cycle)); }},
     {"velocity", Wanted::of_chosen_cycles,
-     [](const PictureSource& s) { return only_png(velocity_picture(s.cycle, s.fastest)); }},
+     [](const PictureSource& s) { return only_png(velocity_picture(s.cycle, s.charge.fastest)); }},
     {"collision_power", Wanted::of_chosen_cycles,
      [](const PictureSource& s) { return only_png(collision_power_picture(s.cycle)); }},
     {"segregation", Wanted::of_chosen_cycles,
@@ -102,10 +102,6 @@ CycleWork work_of(const Campaign& campaign, const Ledger& ledger, bool chosen,
   return work;
 }
 
-double speed_scale_of(const Campaign& campaign) {
-  return speed_scale(2.0 * campaign.mill.liner.sector.shell_radius);
-}
-
 /// Reads first and draws then: HDF5 serves one thread only.
 void draw(const Campaign& campaign, const ShownCharge& charge, CycleWork& work) {
   if (work.missing.empty()) return;
@@ -113,7 +109,7 @@ void draw(const Campaign& campaign, const ShownCharge& charge, CycleWork& work) 
   const ShownCharge whole = charge_of_cycles(campaign, {number});
   if (!whole.cycles.front().frames) return;
   const CycleLoad load = load_of_cycle(campaign, number);
-  const PictureSource source{charge, whole.cycles.front(), load, speed_scale_of(campaign)};
+  const PictureSource source{charge, whole.cycles.front(), load};
   std::vector<std::string> jpegs(work.missing.size());
   for_each_on_all_cores(work.missing.size(), [&](std::size_t i) {
     const PictureKind& kind = *work.missing[i];
@@ -168,7 +164,7 @@ void write_pictures_of_cycle(const Campaign& campaign, const Ledger& ledger, int
   make_folder(folder);
   const auto& load_hash = ledger.find({cycle, StageKind::dem})->outputs.at(stage_files::load);
   const CycleLoad load = look_at_load_of_cycle(campaign, cycle, load_hash);
-  const PictureSource source{charge, charge.cycles.front(), load, speed_scale_of(campaign)};
+  const PictureSource source{charge, charge.cycles.front(), load};
   const std::size_t frames = source.cycle.frames->frames();
   for_each_on_all_cores(kinds.size() + frames, [&](std::size_t i) {
     if (i < kinds.size()) {

@@ -191,6 +191,7 @@ std::string charge_json(const CampaignResults& data) {
               {"speed", data.charge.speed},
               {"locked_slip", wear::locked_slip},
               {"slice_length", data.charge.slice_length},
+              {"fastest", data.charge.fastest},
               {"cycles", cycles}}
       .dump(-1, ' ', false, Json::error_handler_t::replace);
 }

@@ -43,7 +43,7 @@ struct Scale {
     return std::clamp(share, 0.0, 1.0);
   }
   [[nodiscard]] bool has(double value) const {
-    return std::isfinite(value) && (steps == Steps::equal || value > 0.0);
+    return std::isfinite(value) && (steps == Steps::equal || value >= low);
   }
 };
 

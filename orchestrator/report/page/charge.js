@@ -2,20 +2,8 @@ const rerunWords = "run the cycle again with this version of millwear to see its
 const hasCharge = Boolean(data.charge && data.charge.cycles.length);
 const withoutCharge = (load) => hasCharge ? `Cycle ${load.cycle} has no charge.h5; ${rerunWords}` : `This campaign has no charge.h5; ${rerunWords}`;
 
-const pictureNames = {section: "The section, coloured by speed", section_by_size: "The section, coloured by size",
-  close_up: "Between the lifters where the charge rises", slice: "The slice, with the liner cut open",
-  streaks: "Paths of the particles"};
-
 function showPictures() {
-  const load = chosenLoad();
-  const charge = chargeOf(load);
-  const pictures = Object.entries(pictureNames).filter(([name]) => charge && charge.pictures && charge.pictures[name]);
-  document.getElementById("pictures").replaceChildren(...pictures.map(([name, title]) => element("figure", {},
-    element("h3", {}, title), element("img", {src: charge.pictures[name], alt: `${title}, cycle ${load.cycle}`}))));
-}
-
-function fillOptions(id, names, titleOf) {
-  document.getElementById(id).append(...names.map((name) => element("option", {value: name}, titleOf(name))));
+  document.getElementById("pictures").replaceChildren(...pictureFigures(chargeOf(chosenLoad())));
 }
 
 /** The view of the particles is a script of its own, which this page may have or not. */

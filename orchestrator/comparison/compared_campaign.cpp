@@ -53,10 +53,10 @@ std::vector<ProfileRow> profiles_of(const PublishedCampaign& published,
   return profiles;
 }
 
-/// The smoothed lines of a load alone: those of the bins would double the page.
+/// The smoothed lines of a load alone, of what the page draws: all of them would double the page.
 LoadAlongProfile smoothed_alone(LoadAlongProfile load) {
-  for (LoadLine* line :
-       {&load.contacts, &load.normal_dissipation, &load.sliding_work, &load.depth_rate}) {
+  load.contacts = {};
+  for (LoadLine* line : {&load.normal_dissipation, &load.sliding_work, &load.depth_rate}) {
     line->raw.clear();
     line->standard_error.clear();
   }
@@ -76,14 +76,16 @@ std::vector<LoadAlongProfile> loads_of(const PublishedCampaign& published,
   return loads;
 }
 
-/// The charge with frames of the first and the last cycle that recorded it.
+/// The charge, with frames and pictures of the first and the last cycle that recorded it.
 ShownCharge charge_of(const PublishedCampaign& published, const std::vector<int>& cycles) {
   ShownCharge charge = charge_of_cycles(published.campaign, cycles);
   if (published.ledger) add_kept_pictures(published.campaign, *published.ledger, charge);
   for (auto& one : charge.cycles) {
-    if (&one != &charge.cycles.front() && &one != &charge.cycles.back()) one.frames.reset();
-    std::erase_if(one.pictures,
-                  [](const auto& named) { return !shown_pictures.contains(named.first); });
+    const bool is_between = &one != &charge.cycles.front() && &one != &charge.cycles.back();
+    if (is_between) one.frames.reset();
+    std::erase_if(one.pictures, [&](const auto& named) {
+      return is_between || !shown_pictures.contains(named.first);
+    });
   }
   return charge;
 }
@@ -118,11 +120,10 @@ void add_cycles(const RunFolder& folder, ComparedCampaign& compared) {
   data.profiles = profiles_of(published, shown);
   data.loads = loads_of(published, with_file(folder, shown, stage_files::load));
   data.charge = charge_of(published, spread(with_charge, most_charges));
-  for (const auto& words :
-       {spoken_missing("loads along the profile", with_load.size(), cycles.size(),
-                       stage_files::load),
-        spoken_missing("maps and particles", with_charge.size(), cycles.size(),
-                       stage_files::charge)})
+  for (const auto& words : {spoken_missing("loads along the profile", with_load.size(),
+                                           cycles.size(), stage_files::load),
+                            spoken_missing("maps and particles", with_charge.size(), cycles.size(),
+                                           stage_files::charge)})
     compared.missing.insert(compared.missing.end(), words.begin(), words.end());
 }
 
@@ -134,8 +135,8 @@ ComparedCampaign compared_campaign(const RunFolder& folder) {
                     "folders that `millwear run` has worked in",
                     folder.root.string()));
   const Case mill = read_case(folder.locked_case());
-  ComparedCampaign compared{{}, {mill, folder, ledger->start.ranks}, results_without_cycles(mill),
-                            {}};
+  ComparedCampaign compared{
+      {}, {mill, folder, ledger->start.ranks}, results_without_cycles(mill), {}};
   if (fs::exists(folder.results() / "history.csv") || fs::exists(folder.root / "history.csv"))
     add_cycles(folder, compared);
   if (compared.data.history.empty()) compared.missing = {"no cycle is published yet"};

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t frame_bytes_of_page = 3'600'000;  // before base64
+constexpr std::size_t frame_bytes_of_page = 2'000'000;  // before base64
 
 /// The report as it is reached from the page's folder; null where it lies elsewhere.
 Json link_to(const fs::path& report, const fs::path& page) {
@@ -37,8 +37,8 @@ std::string page_json(const Comparison& comparison, const fs::path& page) {
     campaign["report"] = link_to(compared.campaign.folder.report(), page);
     std::string text = inside_script(campaign.dump());
     text.pop_back();
-    campaigns += (i > 0 ? "," : "") + text +
-                 ",\"data\":" + report_json(compared.data, frame_bytes) + "}";
+    campaigns +=
+        (i > 0 ? "," : "") + text + ",\"data\":" + report_json(compared.data, frame_bytes) + "}";
   }
   return fmt::format("{{\"campaigns\":[{}],\"differing\":{}}}", campaigns,
                      inside_script(words["differing"].dump()));
@@ -53,13 +53,12 @@ std::string title_of(const Comparison& comparison) {
 }  // namespace
 
 std::string comparison_html(const Comparison& comparison, const fs::path& page, const D3& d3) {
-  return filled_template(comparison_page_html,
-                         {{"title", html_text(title_of(comparison))},
-                          {"style", std::string(comparison_page_style)},
-                          {"d3", d3.script},
-                          {"d3_licence", html_text(d3.licence)},
-                          {"script", std::string(comparison_page_script)},
-                          {"data", page_json(comparison, page)}});
+  return filled_template(comparison_page_html, {{"title", html_text(title_of(comparison))},
+                                                {"style", std::string(comparison_page_style)},
+                                                {"d3", d3.script},
+                                                {"d3_licence", html_text(d3.licence)},
+                                                {"script", std::string(comparison_page_script)},
+                                                {"data", page_json(comparison, page)}});
 }
 
 }  // namespace millwear::orchestrator

@@ -86,8 +86,9 @@ TEST_F(ChargeView, FindsTheIntervalOfATimeAndStaysInsideOfTheFrames) {
 }
 
 // The mill turns with 1 rad/s: at (-3, 0.15) the wall rises with 3 m/s. So does the first particle,
-// and along the axis it leaves the slice of 0.25 m at 0.24 and is back at 0.005: 0.15 m/s, less than
-// a twentieth of the plate's 3.9 m/s. The second stands still. The balls are equal, so half of their mass moves with the mill.
+// and along the axis it leaves the slice of 0.25 m at 0.24 and is back at 0.005: 0.15 m/s, less
+// than a twentieth of the plate's 3.9 m/s. The second stands still. The balls are equal, so half of
+// their mass moves with the mill.
 TEST_F(ChargeView, TellsWhatMovesWithTheMillAcrossTheEndOfTheSlice) {
   const auto movement = value_of(
       "movementOf({particles: 2, times: [0, 0.1], classes: [0, 0],"
@@ -144,8 +145,8 @@ TEST_F(ChargeView, ShowsNewBesideWornAndStandsInWithoutWebgl) {
       "window.IntersectionObserver = class { constructor(tell) { this.tell = tell; }"
       "observe() { this.tell([{isIntersecting: true}]); } };");
   EXPECT_EQ(count_of(section, "<canvas"), 2u);
-  EXPECT_EQ(count_of(section, "<option value=\"0\">0, from"), 2u);
-  EXPECT_EQ(count_of(section, "<option value=\"1\">2, from"), 2u);
+  EXPECT_EQ(count_of(section, "<option value=\"0\">cycle 0, from"), 2u);
+  EXPECT_EQ(count_of(section, "<option value=\"1\">cycle 2, from"), 2u);
   EXPECT_EQ(count_of(section, "class=\"charge-view flat\""), 1u);
   EXPECT_EQ(count_of(section, "<img src=\"data:image/png;base64,\""), 1u);
   EXPECT_EQ(count_of(section, "by a browser with WebGL 2"), 1u);

@@ -12,4 +12,4 @@ const seriesOfEach = (of) => ofEach((one) => ({name: one.name, label: one.name, 
 
 /** A campaign's name behind its colour. */
 const namedColour = (campaign, ...words) =>
-  element("span", {}, element("i", {class: "swatch block", style: `background:${colourOf(campaign)}`}), campaign.name, ...words);
+  element("span", {}, element("i", {class: "block", style: `background:${colourOf(campaign)}`}), campaign.name, ...words);

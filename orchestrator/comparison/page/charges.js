@@ -1,8 +1,9 @@
-/** The recorded charge of the campaign that is nearest to the chosen moment; null where none is here. */
-function nearestCharge() {
+/** The recorded charge of the campaign that is nearest to the chosen moment, of those that has(charge) holds for; null
+ *  where there is none. */
+function nearestCharge(has) {
   const chosen = chosenCharge();
   const distance = (charge) => Math.abs(ageOfCycle(charge.cycle) - chosen.operating_hours);
-  return data.charge.cycles.reduce((best, one) => best && distance(best) <= distance(one) ? best : one, null);
+  return data.charge.cycles.filter(has).reduce((best, one) => best && distance(best) <= distance(one) ? best : one, null);
 }
 
 /** The range of colours that holds a map's values in all campaigns. */
@@ -20,19 +21,17 @@ function figureOfEach(id, prefix) {
 
 function drawMapOf(campaign, place, width) {
   const name = document.getElementById("charge-map").value;
-  const charge = nearestCharge();
-  const isThere = charge && hasMap(charge.maps, name);
-  place.nextElementSibling.textContent = isThere ? `Cycle ${charge.cycle}, ${hoursText(ageOfCycle(charge.cycle))}.` : "";
-  if (isThere) drawMap(place, width, charge, name, commonRange(name));
+  const charge = nearestCharge(({maps}) => hasMap(maps, name));
+  place.nextElementSibling.textContent = charge ? `Cycle ${charge.cycle}, ${hoursText(ageOfCycle(charge.cycle))}.` : "";
+  if (charge) drawMap(place, width, charge, name, commonRange(name));
   else nothing(place, "This map was not recorded in this campaign.");
 }
 
 function showComparedPictures() {
   document.getElementById("compared-pictures").replaceChildren(...ofEach((one) => {
-    const charge = nearestCharge();
-    const figures = pictureFigures(charge);
-    return figures.length ? element("section", {}, element("h3", {}, `${one.name}, cycle ${charge.cycle}`),
-      element("div", {class: "pair"}, ...figures)) : "";
+    const charge = nearestCharge(({pictures}) => pictures && Object.keys(pictures).length);
+    return charge ? element("section", {}, element("h3", {}, `${one.name}, cycle ${charge.cycle}`),
+      element("div", {class: "pair"}, ...pictureFigures(charge))) : "";
   }));
 }
 

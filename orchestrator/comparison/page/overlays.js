@@ -31,13 +31,13 @@ function middleOf(load) {
   return (load.arc_length[highest - 1] + load.arc_length[highest]) / 2;
 }
 
-/** The smoothed measure of the chosen cycle from the lifter's middle, [{x, y, error}] in m and the measure's unit. */
+/** The smoothed measure of the chosen cycle from the lifter's middle, [{x, y, se}] in m and the measure's unit. */
 function measurePoints(measure) {
   const load = chosenCharge() && data.loads.find(({cycle}) => cycle === chosenCharge().cycle);
   if (!load) return [];
   const middle = middleOf(load);
   const line = load[measure.key];
-  return line.smoothed.map((value, i) => ({x: load.arc_length[i] - middle, y: value, error: line.smoothed_error[i]}));
+  return line.smoothed.map((value, i) => ({x: load.arc_length[i] - middle, y: value, se: line.smoothed_error[i]}));
 }
 
 function drawComparedMeasure(place, width, measure) {
@@ -45,10 +45,11 @@ function drawComparedMeasure(place, width, measure) {
   if (!series.length) { nothing(place, "No campaign has the load of this cycle here."); return; }
   const scale = measure.isDepth ? {factor: 1 / inLength(secondsPerThousandHours), unit: depthRateUnit()}
     : prefixed(d3.merge(series.map((one) => one.points)).map((p) => p.y), measure.unit);
-  for (const one of series) one.points = scaled(one.points, scale.factor).map((p) => ({...p, x: inLength(p.x)}));
+  const per = (value) => known(value) ? value / scale.factor : null;
+  for (const one of series) one.points = one.points.map((p) => ({x: inLength(p.x), y: per(p.y), se: per(p.se)}));
   drawChart(place, width, {name: measure.name, x: `arc length from the lifter's middle [${lengthUnit()}]`, value: scale.unit, zero: true,
     series, place: (s) => `${fixed(isInch() ? 2 : 0)(s)} ${lengthUnit()} from the middle`,
-    text: (p) => significant(3)(p.y) + (known(p.error) ? ` ± ${significant(2)(p.error)}` : "")});
+    text: (p) => significant(3)(p.y) + (known(p.se) ? ` ± ${significant(2)(p.se)}` : "")});
 }
 
 function startOverlays() {

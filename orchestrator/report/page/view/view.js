@@ -45,8 +45,7 @@ function whenNear(watched, start, seen) {
 }
 
 function fillChargeView(section, viewed, shown) {
-  const largest = (of) => d3.max(viewed, ({campaign}) => of(campaign));
-  const camera = cameraFor(largest(({sector}) => sector.shell_radius), largest(({charge}) => charge.slice_length));
+  const camera = cameraFor(d3.max(viewed, ({campaign: {charge, sector}}) => charge.slice_length / (2 * sector.shell_radius)));
   const playback = playbackOf(d3.min(viewed, ({charge: {frames: {times}}}) => times[times.length - 1] - times[0]));
   let near = false;
   const redraw = drawingLoop((now) => {

@@ -50,6 +50,7 @@ orchestrator/report: mill/base mill/case mill/load wear/charge wear/record orche
 orchestrator/pictures: mill wear orchestrator/process orchestrator/campaign orchestrator/charge orchestrator/loads orchestrator/results
 orchestrator/vtk: mill/base
 orchestrator/export: mill wear orchestrator/campaign orchestrator/loads orchestrator/results orchestrator/vtk
+orchestrator/comparison: mill orchestrator/campaign orchestrator/charge orchestrator/results orchestrator/report orchestrator/pictures orchestrator/export
 orchestrator/postprocess: mill meshgen liggghts_inputs/outputs wear orchestrator/process orchestrator/campaign orchestrator/dem_run
 orchestrator/gauge: mill meshgen wear orchestrator/results
 orchestrator/calibration: mill wear orchestrator/campaign orchestrator/dem_run orchestrator/results orchestrator/gauge

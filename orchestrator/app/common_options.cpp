@@ -11,6 +11,10 @@ constexpr int most_ranks = 100000;
 
 void add_options(CLI::App& verb, CommonOptions& options) {
   verb.add_option("case", options.case_file, "The case file (docs/case_file.md)")->required();
+  add_output_options(verb, options);
+}
+
+void add_output_options(CLI::App& verb, CommonOptions& options) {
   verb.add_flag_callback(
       "--json", [&] { options.form = OutputForm::json; }, "Print results as JSON");
   verb.add_flag_callback(

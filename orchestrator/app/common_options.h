@@ -26,6 +26,9 @@ struct CommonOptions {
 /// Adds the case file, --json, --quiet and --verbose to a verb's command line.
 void add_options(CLI::App& verb, CommonOptions& options);
 
+/// Adds the last three alone.
+void add_output_options(CLI::App& verb, CommonOptions& options);
+
 /// Adds --out, the folder of the case's campaign.
 void add_campaign_folder(CLI::App& verb, std::filesystem::path& out);
 

@@ -16,6 +16,7 @@
 #include "mill/case_file/case_file.h"
 #include "mill/liner/profile_csv.h"
 #include "mill/liner/profile_measures.h"
+#include "orchestrator/app/compare_campaigns.h"
 #include "orchestrator/calibration/course_calibration.h"
 #include "orchestrator/calibration/course_comparison.h"
 #include "orchestrator/calibration/repeated_comparison.h"
@@ -194,6 +195,19 @@ void compare_as_run(const CompareOptions& options, const Case& mill, const fs::p
     print_text(comparisons);
 }
 
+/// Throws Failure (usage) where an option is of the other kind of comparison.
+void check_kind(const CompareOptions& options) {
+  const bool of_case = !options.outs.empty() || options.csv || options.readings ||
+                       !options.compared_profiles.empty() || options.calibrate_until ||
+                       options.gauge_on || options.plot;
+  if (of_case && !options.campaigns.empty())
+    throw Failure(ExitCode::usage,
+                  "folders of campaigns are compared with --page and --json alone; the other "
+                  "options are for a case and its readings");
+  if (options.page && options.campaigns.empty())
+    throw Failure(ExitCode::usage, "--page is for two or more folders of campaigns; name them");
+}
+
 /// Throws Failure (usage) where an option asks for a calibration and there is none.
 void check_usage(const CompareOptions& options, const Case& mill) {
   if (options.outs.size() > 1 && !calibrate_until(options, mill))
@@ -251,7 +265,19 @@ void compare_profiles(const CompareOptions& options, const Case& mill) {
 void add_options(CLI::App& verb, CompareOptions& options) {
   const std::map<std::string, GaugeOn> gauges{{"new-plate", GaugeOn::new_plate},
                                               {"plate", GaugeOn::plate}};
-  add_options(verb, options.common);
+  verb.add_option_function<std::vector<std::filesystem::path>>(
+          "case",
+          [&](const auto& named) {
+            options.common.case_file = named.front();
+            if (named.size() > 1) options.campaigns = named;
+          },
+          "The case file (docs/case_file.md); or two or more folders of campaigns, of any cases, "
+          "for a page that shows them side by side")
+      ->required();
+  add_output_options(verb, options.common);
+  verb.add_option("--page", options.page,
+                  "With folders of campaigns: the page; by default comparison.html")
+      ->type_name("FILE");
   verb.add_option("--out", options.outs,
                   "Folder of the campaign; by default runs/NAME. Given more than once: campaigns "
                   "that differ in the seed, side by side with their mean and scatter")
@@ -274,6 +300,11 @@ void add_options(CLI::App& verb, CompareOptions& options) {
 }
 
 void compare_verb(const CompareOptions& options) {
+  check_kind(options);
+  if (!options.campaigns.empty()) {
+    compare_campaigns(options.campaigns, options.page, options.common.form);
+    return;
+  }
   const Case mill = read_case(options.common.case_file);
   check_usage(options, mill);
   if (options.compared_profiles.empty())

@@ -11,6 +11,8 @@ namespace millwear::orchestrator {
 /// What `millwear compare` is told.
 struct CompareOptions {
   CommonOptions common;
+  std::vector<std::filesystem::path> campaigns;  ///< two or more folders, in place of the case
+  std::optional<std::filesystem::path> page;     ///< to be written of them
   std::vector<std::filesystem::path> outs;               ///< none: runs/NAME; two or more: repeats
   std::optional<std::filesystem::path> csv;              ///< to be written
   std::optional<std::filesystem::path> readings;         ///< folder of the gauge readings
@@ -22,7 +24,7 @@ struct CompareOptions {
 
 void add_options(CLI::App& verb, CompareOptions& options);
 
-/// Compares the campaign with the readings, or two profiles.
+/// Compares the campaign with the readings, two profiles, or campaigns side by side.
 void compare_verb(const CompareOptions& options);
 
 }  // namespace millwear::orchestrator

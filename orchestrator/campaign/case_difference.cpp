@@ -56,6 +56,12 @@ std::string spoken_value(const std::string& value) {
 
 }  // namespace
 
+std::vector<LockedValue> locked_values(const Case& mill) {
+  std::vector<LockedValue> values;
+  for (const auto& [key, value] : locked_keys(mill)) values.push_back({spoken_key(key), value});
+  return values;
+}
+
 std::vector<std::string> differences(const Case& here, const Case& there) {
   const auto keys_here = locked_keys(here);
   const auto keys_there = locked_keys(there);

@@ -7,6 +7,15 @@
 
 namespace millwear::orchestrator {
 
+/// A key of a locked case, "[dem] `seed`", and its value as it is written there.
+struct LockedValue {
+  std::string key;
+  std::string value;
+};
+
+/// All of them, defaults filled in.
+[[nodiscard]] std::vector<LockedValue> locked_values(const Case& mill);
+
 /// One key in which two cases differ, "[dem] `seed` (2, there 1)".
 /// Compares what `locked_case_text` writes of both, defaults filled in.
 [[nodiscard]] std::vector<std::string> differences(const Case& here, const Case& there);

@@ -1,8 +1,10 @@
 #include "orchestrator/loads/load_along_profile.h"
 
+#include "mill/liner/profile_measures.h"
 #include "wear/numerics/block_means.h"
 #include "wear/numerics/block_persistence.h"
 #include "wear/rate/smoothing_error.h"
+#include "wear/surface/along_profile.h"
 
 namespace millwear::orchestrator {
 namespace {
@@ -46,6 +48,15 @@ LoadAlongProfile load_along_profile(int cycle, const wear::LoadRate& rate) {
            {},
            as_vector(rate.smoothed.rate.values),
            as_vector(wear::standard_error(rate.smoothed))}};
+}
+
+std::vector<Eigen::Vector2d> bin_places(const LinerProfile& liner, Rotation rotation,
+                                        const std::vector<double>& at) {
+  const LinerProfile profile = as_turned(liner, rotation);
+  const auto arc = arc_lengths(profile);
+  std::vector<Eigen::Vector2d> places;
+  for (const double s : at) places.push_back(as_turned(wear::place_at(profile, arc, s), rotation));
+  return places;
 }
 
 }  // namespace millwear::orchestrator

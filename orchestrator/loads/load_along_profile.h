@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "mill/case/case.h"
+#include "mill/liner/rotation.h"
 #include "wear/rate/load_rate.h"
 
 namespace millwear::orchestrator {
@@ -29,5 +30,10 @@ struct LoadAlongProfile {
 
 /// The measures of a load, smoothed like its loss; `centres` is left empty, for it takes the liner.
 [[nodiscard]] LoadAlongProfile load_along_profile(int cycle, const wear::LoadRate& rate);
+
+/// Places of the bins in the steel's frame, as `liner` is, by their arc lengths on the liner as the
+/// DEM turns it [m].
+[[nodiscard]] std::vector<Eigen::Vector2d> bin_places(const LinerProfile& liner, Rotation rotation,
+                                                      const std::vector<double>& arc_lengths);
 
 }  // namespace millwear::orchestrator

@@ -18,7 +18,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t every_frame = 2;
-constexpr std::size_t most_frame_bytes = 1'600'000;  // of one cycle, before base64
 constexpr double outermost_share = 0.002;            // of the values, beyond the scale's ends
 
 template <class Integer>
@@ -103,8 +102,8 @@ Json json_of(const wear::ChargeLandmarks& landmarks) {
           {"centre", json_of(landmarks.centre)}};
 }
 
-Json json_of(const wear::ChargeFrames& frames) {
-  const PageFrames page = page_frames(frames, every_frame, most_frame_bytes);
+Json json_of(const wear::ChargeFrames& frames, std::size_t most_bytes) {
+  const PageFrames page = page_frames(frames, every_frame, most_bytes);
   return {{"particles", page.classes.size()},
           {"thinning", page.thinning},
           {"times", page.times},
@@ -156,7 +155,7 @@ std::vector<Scale> polar_scales(const std::vector<PolarLoadOfCycle>& loads) {
 
 }  // namespace
 
-std::string charge_json(const CampaignResults& data) {
+std::string charge_json(const CampaignResults& data, std::size_t most_frame_bytes) {
   const Scales scales = map_scales(data.charge.cycles);
   const std::vector<Scale> around = polar_scales(data.polar);
   Json cycles = Json::array();
@@ -178,7 +177,7 @@ std::string charge_json(const CampaignResults& data) {
          {"maps", maps},
          {"landmarks", json_of(charge.landmarks)},
          {"around", polar == data.polar.end() ? Json(nullptr) : json_of(polar->load, around)},
-         {"frames", charge.frames ? json_of(*charge.frames) : Json(nullptr)},
+         {"frames", charge.frames ? json_of(*charge.frames, most_frame_bytes) : Json(nullptr)},
          {"pictures", pictures}});
   }
   Json classes = Json::array();

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <string>
 
 #include "orchestrator/results/campaign_results.h"
@@ -6,8 +7,8 @@
 namespace millwear::orchestrator {
 
 /// The charge of every cycle as the page's JSON: maps over the section and polar maps in eight
-/// bits, with the same scale for all cycles, landmarks, and frames of the first, the middle and the
-/// last cycle.
-[[nodiscard]] std::string charge_json(const CampaignResults& data);
+/// bits, with the same scale for all cycles, landmarks, and the frames that there are, thinned to
+/// `most_frame_bytes` of a cycle before base64.
+[[nodiscard]] std::string charge_json(const CampaignResults& data, std::size_t most_frame_bytes);
 
 }  // namespace millwear::orchestrator

@@ -258,7 +258,7 @@ Json all(const std::vector<T>& items) {
 
 }  // namespace
 
-std::string report_json(const CampaignResults& data) {
+std::string report_json(const CampaignResults& data, std::size_t most_frame_bytes) {
   const Json json = {{"case_name", data.case_name},
                      {"description", all(data.description)},
                      {"life", json_of(data.life)},
@@ -282,7 +282,7 @@ std::string report_json(const CampaignResults& data) {
   text.pop_back();
   write_member(text, "profiles", data.profiles);
   write_member(text, "loads", data.loads);
-  text += ",\"charge\":" + charge_json(data);
+  text += ",\"charge\":" + charge_json(data, most_frame_bytes);
   return inside_script(text + "}");
 }
 

@@ -17,21 +17,10 @@
 #include "orchestrator/results/life_error.h"
 #include "orchestrator/results/load_warnings.h"
 #include "wear/band/life_band.h"
-#include "wear/evolve/load_carrier.h"
 #include "wear/record/impact_spectrum.h"
 
 namespace millwear::orchestrator {
 namespace {
-
-/// Places in the steel's frame, by their arc lengths on the DEM's liner of a cycle.
-std::vector<Eigen::Vector2d> places_on(const LinerProfile& liner, Rotation rotation,
-                                       const std::vector<double>& at) {
-  const LinerProfile profile = as_turned(liner, rotation);
-  const auto arc = arc_lengths(profile);
-  std::vector<Eigen::Vector2d> places;
-  for (const double s : at) places.push_back(as_turned(wear::place_at(profile, arc, s), rotation));
-  return places;
-}
 
 template <class T>
 void append(const std::vector<T>& items, std::vector<T>& to) {
@@ -49,7 +38,7 @@ void add_cycle(CycleLoad load, const CycleResults& cycle, const LinerProfile& li
   data.motion.push_back({cycle.conservation.cycle, cycle.motion, std::move(load.hit_power)});
   data.impacts.push_back(std::move(load.impacts));
   if (load.polar) data.polar.push_back({cycle.conservation.cycle, std::move(*load.polar)});
-  load.along.centres = places_on(liner, cycle.rotation, load.along.arc_length);
+  load.along.centres = bin_places(liner, cycle.rotation, load.along.arc_length);
   data.loads.push_back(std::move(load.along));
   data.bins.push_back(std::move(load.bins));
   data.spectrum_lines += load.spectrum_lines;

@@ -146,8 +146,8 @@ TEST_F(ChargeView, ShowsNewBesideWornAndStandsInWithoutWebgl) {
       "window.IntersectionObserver = class { constructor(tell) { this.tell = tell; }"
       "observe() { this.tell([{isIntersecting: true}]); } };");
   EXPECT_EQ(count_of(section, "<canvas"), 2u);
-  EXPECT_EQ(count_of(section, "<option value=\"0\">0, from"), 2u);
-  EXPECT_EQ(count_of(section, "<option value=\"1\">2, from"), 2u);
+  EXPECT_EQ(count_of(section, "<option value=\"0\">cycle 0, from"), 2u);
+  EXPECT_EQ(count_of(section, "<option value=\"1\">cycle 2, from"), 2u);
   EXPECT_EQ(count_of(section, "class=\"charge-view flat\""), 1u);
   EXPECT_EQ(count_of(section, "<img src=\"data:image/png;base64,\""), 1u);
   EXPECT_EQ(count_of(section, "by a browser with WebGL 2"), 1u);

@@ -1,10 +1,10 @@
 /** Colour of the liner's age: dark blue when new, over teal and ochre to rust when worn. */
-const ageColour = (hours) => (isDark() ? agesOnDark : agesOnLight)(hours);
+const ageColour = (hours) => ageScale(isDark() ? agesOnDark : agesOnLight)(hours);
 const ageScale = (colours) => d3.scale.linear()
   .domain([0, 0.33, 0.66, 1].map((share) => share * (d3.max(data.history, (row) => row.operating_hours) || 1)))
   .range(colours).interpolate(d3.interpolateLab).clamp(true);
-const agesOnLight = ageScale(["#16365c", "#2c8a93", "#b8801c", "#a8321c"]);
-const agesOnDark = ageScale(["#8db8e8", "#4fc3cb", "#e5b550", "#f07f62"]);
+const agesOnLight = ["#16365c", "#2c8a93", "#b8801c", "#a8321c"];
+const agesOnDark = ["#8db8e8", "#4fc3cb", "#e5b550", "#f07f62"];
 
 /** The liner when the load of this cycle was measured. */
 const linerBefore = (load) => data.history.filter((row) => row.operating_hours <= ageOfCycle(load.cycle) + 1e-6).pop() || data.history[0];

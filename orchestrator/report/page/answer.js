@@ -3,13 +3,6 @@ function figure(value, unit) {
     element("span", {class: "unit"}, unit));
 }
 
-/** The limit that ends the life, in the chosen unit. */
-function limitWords() {
-  if (data.life.limit.startsWith("lifter height") && known(data.height_limit)) return `lifter height ${lengthText(data.height_limit, 0)}`;
-  if (data.life.limit.startsWith("plate thickness") && known(data.plate_limit)) return `plate thickness ${lengthText(data.plate_limit, 0)}`;
-  return data.life.limit;
-}
-
 /** Life or hours so far, with the date and the band where they are known. */
 function lifeWords() {
   const {life} = data;

@@ -102,13 +102,14 @@ function follow(svg, frame, x, y, spec) {
   }).on("mouseleave", leave);
 }
 
-/** A line at the chosen place along x, and what moves it. */
-function markPlace(svg, frame, x, chosen) {
-  const line = svg.append("line").attr({class: "now", y1: frame.top, y2: frame.bottom});
+/** Lines at the chosen places along x, and what moves them. */
+function markPlaces(svg, frame, x, chosen) {
+  const group = svg.append("g");
   const move = () => {
-    const place = chosen();
-    line.style("display", known(place) ? null : "none");
-    if (known(place)) line.attr({x1: x(place), x2: x(place)});
+    const lines = group.selectAll("line").data(chosen().filter((one) => known(one.x)));
+    lines.enter().append("line").attr({class: "now", y1: frame.top, y2: frame.bottom});
+    lines.exit().remove();
+    lines.attr({x1: (one) => x(one.x), x2: (one) => x(one.x)}).style("stroke", (one) => one.colour || null);
   };
   move();
   return move;
@@ -118,8 +119,8 @@ function markPlace(svg, frame, x, chosen) {
  * A chart of lines and points. spec: name, x and value (axis labels), series [{name, colour, style, marks,
  * points: [{x, y, error}]}] (in the style "block" [{x, y, top}]: what lies between is filled), rules [{y, text}],
  * zero (y from 0), span (x from, to), place(x), text(point); or log (both axes logarithmic, all values above 0) and
- * xText(x); xTicks: the places of the numbers along x, with xText; xScale(x): the scale whose numbers stand along x; now(): a place along x to mark. Returns what moves the
- * mark.
+ * xText(x); xTicks: the places of the numbers along x, with xText; xScale(x): the scale whose numbers stand along x; now(): places along x to mark, [{x, colour}]. Returns what
+ * moves the marks.
  */
 function drawChart(place, width, spec) {
   const all = d3.merge(spec.series.map((series) => series.points)).filter((p) => known(p.x) && known(p.y));
@@ -142,7 +143,7 @@ function drawChart(place, width, spec) {
     svg.append("line").attr({class: "rule", x1: frame.left, x2: frame.right, y1: y(rule.y), y2: y(rule.y)});
     svg.append("text").attr({x: frame.left + 6, y: y(rule.y) - 5}).text(rule.text);
   }
-  const move = spec.now ? markPlace(svg, frame, x, spec.now) : null;
+  const move = spec.now ? markPlaces(svg, frame, x, spec.now) : null;
   for (const series of spec.series) drawSeries(svg, series, x, y);
   follow(svg, frame, x, y, spec);
   return move;

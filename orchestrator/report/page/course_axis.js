@@ -14,6 +14,22 @@ function massScale() {
   return most >= 1e6 ? {factor: 1e6, unit: "Mt"} : most >= 1e4 ? {factor: 1e3, unit: "kt"} : {factor: 1, unit: "t"};
 }
 
+/** Dates need a first day, and tonnes a feed rate. */
+function offerAxes() {
+  const offered = {hours: true, tonnes: tonnesPerHour > 0, dates: Boolean(settings.start)};
+  const choice = settingsForm.elements.axis;
+  for (const option of choice.options) option.disabled = !offered[option.value];
+  if (!offered[settings.axis]) choice.value = settings.axis = "hours";
+}
+
+/** Who gives the first day wants dates. */
+function startCourseAxis() {
+  settingsForm.elements.start.addEventListener("change", ({target}) => {
+    if (target.value) settingsForm.elements.axis.value = "dates";
+  });
+  onSettings(offerAxes);
+}
+
 /** The label of the axis, and the scale of its numbers for a scale of hours. */
 function courseAxis() {
   if (settings.axis === "dates") return {label: "date", scale: (x) =>
@@ -36,5 +52,5 @@ function courseText(hours) {
 function courseChart(place, width, spec) {
   const axis = courseAxis();
   return drawChart(place, width, {span: campaignHours, place: courseText, x: axis.label, xScale: axis.scale,
-    now: () => data.loads.length ? ageOfCycle(chosenLoad().cycle) : null, ...spec});
+    now: () => data.loads.length ? [{x: ageOfCycle(chosenLoad().cycle)}] : [], ...spec});
 }

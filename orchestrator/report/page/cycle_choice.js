@@ -26,6 +26,10 @@ function chosenCycleText() {
   return `Cycle ${cycle} (${chosenCycle.index + 1} of ${data.loads.length}): ${courseText(ageOfCycle(cycle))}`;
 }
 
+function keepChosenCycle(kept) {
+  if (chosenCycle.index) kept.set("cycle", chosenLoad().cycle);
+}
+
 /** The slider over the campaign. */
 function startCycleChoice() {
   const bar = document.getElementById("cycle-choice");

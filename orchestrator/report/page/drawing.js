@@ -8,8 +8,8 @@ function arc(radius) {
   return d3.range(0, 65).map((i) => pointAt(radius, pitch * (i / 64 - 0.5)));
 }
 
-const shellArc = arc(data.sector.shell_radius);
-const plateArc = arc(data.sector.plate_radius);
+const shellArc = () => arc(data.sector.shell_radius);
+const plateArc = () => arc(data.sector.plate_radius);
 
 /**
  * A drawing of one pitch with equal scales, as wide as `width` [px] allows: shell, sector edges and the
@@ -17,9 +17,10 @@ const plateArc = arc(data.sector.plate_radius);
  * path(points).
  */
 function sectorDrawing(container, width, name, crest, head) {
+  const [shell, plate] = [shellArc(), plateArc()];
   const steel = data.sector.shell_radius - data.sector.plate_radius;
-  const reach = d3.extent(d3.merge([shellArc, plateArc]), (p) => p[0]);
-  const top = Math.max(crest, d3.max(plateArc, (p) => p[1])) + 0.04 * (reach[1] - reach[0]);
+  const reach = d3.extent(d3.merge([shell, plate]), (p) => p[0]);
+  const top = Math.max(crest, d3.max(plate, (p) => p[1])) + 0.04 * (reach[1] - reach[0]);
   const bottom = -steel - 0.025 * (reach[1] - reach[0]);
   const margin = {left: 46, right: 8, top: head, bottom: 44};
   const pixels = Math.min((width - margin.left - margin.right) / (reach[1] - reach[0]), 700 / (top - bottom));
@@ -35,22 +36,22 @@ function sectorDrawing(container, width, name, crest, head) {
   const path = d3.svg.line().defined((p) => known(p[0]) && known(p[1])).x((p) => x(p[0])).y((p) => y(p[1]));
   const outside = arc(data.sector.shell_radius + 0.012 * (reach[1] - reach[0]));
   const paths = {svg, frame, x, y, pixels, path, right: width,
-    closed: (points) => path(points.concat(shellArc.slice().reverse())) + "Z"};
-  svg.append("path").attr({class: "shell", d: path(shellArc.concat(outside.reverse())) + "Z"});
-  for (const side of [0, shellArc.length - 1])
-    svg.append("line").attr({class: "edge", x1: x(shellArc[side][0]), y1: y(shellArc[side][1]),
-      x2: x(plateArc[side][0]), y2: frame.top});
+    closed: (points) => path(points.concat(shell.slice().reverse())) + "Z"};
+  svg.append("path").attr({class: "shell", d: path(shell.concat(outside.reverse())) + "Z"});
+  for (const side of [0, shell.length - 1])
+    svg.append("line").attr({class: "edge", x1: x(shell[side][0]), y1: y(shell[side][1]),
+      x2: x(plate[side][0]), y2: frame.top});
   return paths;
 }
 
 function drawPlate(drawing) {
-  drawing.svg.append("path").attr({class: "plate", d: drawing.path(plateArc)});
+  drawing.svg.append("path").attr({class: "plate", d: drawing.path(plateArc())});
 }
 
 function nameArcs(drawing) {
   const {svg, x, y} = drawing;
   svg.append("text").attr({x: x(0), y: y(0) + 15, "text-anchor": "middle"}).text("new plate");
-  svg.append("text").attr({x: x(0), y: y(d3.min(shellArc, (p) => p[1])) - 7, "text-anchor": "middle"}).text("shell");
+  svg.append("text").attr({x: x(0), y: y(d3.min(shellArc(), (p) => p[1])) - 7, "text-anchor": "middle"}).text("shell");
 }
 
 /** A bar of colours with hours under it, drawn at the right end of the drawing's head. */

@@ -1,6 +1,14 @@
 "use strict";
 
-const data = JSON.parse(document.getElementById("data").textContent);
+/** The campaign that is shown. */
+let data = JSON.parse(document.getElementById("data").textContent);
+
+/** What act() gives while `data` is this campaign's: a page of several draws one after the other. */
+function inCampaign(campaign, act) {
+  const before = data;
+  data = campaign;
+  try { return act(); } finally { data = before; }
+}
 
 const known = (value) => value !== null && value !== undefined && isFinite(value);
 const grouped = d3.format(",.0f");

@@ -1,8 +1,5 @@
 const predictedColour = "var(--predicted)";
 
-const chargePoints = (value, error) => data.charges.map((charge) =>
-  ({x: charge.operating_hours, y: charge[value], error: charge[error]}));
-
 /** The straight line every prediction is held against: through the first two gauge readings, else through the
  *  first cycle, on to the end of the campaign or to where no lifter is left. */
 function straightLine() {
@@ -18,9 +15,6 @@ function straightLine() {
     label: "straight line", colour: "var(--grey)", style: "dashed",
     points: [a, {x: last, y: a.y + slope * (last - a.x)}]}];
 }
-
-const withError = (p, digits, unit) =>
-  fixed(digits)(p.y) + (known(p.error) ? " ± " + significant(2)(p.error) : "") + " " + unit;
 
 /** A chart of one value of every step. */
 const stepsChart = (place, width, name, unit, value, text) => courseChart(place, width, {name, value: unit, zero: true, text,
@@ -47,12 +41,6 @@ const drawWornShare = (place, width) => stepsChart(place, width, "Worn share", "
 const drawRoughness = (place, width) => stepsChart(place, width, "Roughness", lengthUnit(), (row) => inLength(row.roughness),
   (p) => `${fixed(isInch() ? 4 : 2)(p.y)} ${lengthUnit()}`);
 
-/** A chart of the charge's angle: a turn is taken off as often as it takes to show the first between 0° and 360°. */
-function drawAngle(place, width, name, value) {
-  const degrees = chargePoints(value, value + "_error").map((p) => ({x: p.x, y: inDegrees(p.y), error: inDegrees(p.error)}));
-  const first = degrees.find((p) => known(p.y)) || {y: 0};
-  const origin = first.y - inClockDegrees(first.y * Math.PI / 180);
-  const points = degrees.map((p) => ({...p, y: known(p.y) ? p.y - origin : null}));
-  return courseChart(place, width, {name, value: "degrees", text: (p) => withError(p, 1, "°"), height: 220,
-    series: [{colour: predictedColour, marks: true, points}]});
-}
+/** A chart of the charge's angle. */
+const drawAngle = (place, width, name, value) => courseChart(place, width, {name, value: "degrees", text: (p) => withError(p, 1, "°"),
+  height: 220, series: [{colour: predictedColour, marks: true, points: anglePoints(value)}]});

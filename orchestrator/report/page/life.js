@@ -1,3 +1,10 @@
+/** The limit that ends the life, in the chosen unit. */
+function limitWords() {
+  if (data.life.limit.startsWith("lifter height") && known(data.height_limit)) return `lifter height ${lengthText(data.height_limit, 0)}`;
+  if (data.life.limit.startsWith("plate thickness") && known(data.plate_limit)) return `plate thickness ${lengthText(data.plate_limit, 0)}`;
+  return data.life.limit;
+}
+
 /** Hours that a straight line through the new height and this one leaves until the height limit. */
 function straightRemainder(row) {
   const lost = data.history[0].lifter_height - row.lifter_height;

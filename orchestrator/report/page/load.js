@@ -85,7 +85,7 @@ function drawLoadOnProfile(place, width) {
   if (!line.length) { nothing(place, "Not recorded in this run."); return; }
   const longest = d3.max(line) || 1;
   const normals = normalsOf(load.centres);
-  const length = 0.2 * (d3.max(plateArc, (p) => p[0]) - d3.min(plateArc, (p) => p[0]));
+  const length = 0.2 * (plateArc()[64][0] - plateArc()[0][0]);
   const tops = load.centres.map((p, i) => [0, 1].map((k) => p[k] + normals[i][k] * length * line[i] / longest));
   const drawing = sectorDrawing(place, width, "Rate of wear on the profile", crestOf(tops), 24);
   const {svg, x, y, path} = drawing;

@@ -1,21 +1,10 @@
-/** A link of the contents moves to its section; the address keeps the choices. */
-function startContents() {
-  for (const link of document.querySelectorAll('a[href^="#"]')) link.addEventListener("click", (event) => {
-    event.preventDefault();
-    const section = document.querySelector(link.getAttribute("href"));
-    section.scrollIntoView();
-    const heading = section.querySelector("h2, h3");
-    heading.tabIndex = -1;
-    heading.focus({preventScroll: true});
-  });
-}
-
 fillList("description", data.description);
 fillList("provenance-list", data.provenance);
 fillTrust();
 fillWarnings();
-chooseCycleOf(readFragment());
+onFragment(chooseCycleOf, keepChosenCycle);
 startTheme();
+startCourseAxis();
 startSettings();
 onSettings(sayAngles);
 onSettings(showAnswer);

@@ -66,13 +66,13 @@ function drawLinerAround(context, liner, frame) {
   context.restore();
 }
 
-/** Arrows every few cells, the fastest as long as the space between two. */
-function drawArrows(context, maps, section, frame) {
+/** Arrows every few cells; the speed `fastest` is as long as the space between two arrows. */
+function drawArrows(context, maps, section, frame, fastest) {
   const across = valuesOf(maps.velocity_x);
   const along = valuesOf(maps.velocity_z);
   const cell = frame.size / section.cells;
   const every = Math.max(1, Math.round(22 / cell));
-  const longest = every * cell / rangeOfMap(maps, "speed").high;
+  const longest = every * cell / fastest;
   context.beginPath();
   for (let row = every >> 1; row < section.cells; row += every)
     for (let column = every >> 1; column < section.cells; column += every) {
@@ -106,24 +106,28 @@ function tellCell(svg, section, frame, name, field, shown) {
     }).on("mouseleave", hideTip);
 }
 
-/** The chosen map of the chosen cycle. */
-function drawSection(place, width) {
-  const load = chosenLoad();
-  const charge = chargeOf(load);
-  const name = document.getElementById("charge-map").value;
-  if (!charge || !hasMap(charge.maps, name)) { nothing(place, withoutCharge(load)); return; }
+/** A map of a cycle's charge, with the colours of a range. */
+function drawMap(place, width, charge, name, range) {
   const frame = sectionFrame(width, charge.section.half_width);
   const field = fieldOf(charge.maps, name);
-  const range = rangeOfMap(charge.maps, name);
   const shown = isShare(name) ? {factor: 100, unit: "%"} : shownUnit(unitOfMap(charge.maps, name), range.high);
   const {context, svg} = canvasUnderSvg(place, width, frame.height, `${mapTitle(name)} over the section, cycle ${charge.cycle}`);
   context.beginPath();
   context.arc(frame.x(0), frame.y(0), frame.pixels * data.sector.shell_radius, 0, 2 * Math.PI);
   context.clip();
   context.drawImage(pixelCanvas(field, charge.section.cells, range), frame.left, frame.top, frame.size, frame.size);
-  if (name === "speed") drawArrows(context, charge.maps, charge.section, frame);
+  if (name === "speed") drawArrows(context, charge.maps, charge.section, frame, range.high);
   drawLinerAround(context, charge.liner, frame);
   drawLandmarks(svg, landmarksOf(charge), frame);
   colourBar(svg, {left: frame.left + 12, right: frame.left + frame.size - 24, top: frame.top + frame.size + 24}, range, shown);
   tellCell(svg, charge.section, frame, name, field, shown);
+}
+
+/** The chosen map of the chosen cycle. */
+function drawSection(place, width) {
+  const load = chosenLoad();
+  const charge = chargeOf(load);
+  const name = document.getElementById("charge-map").value;
+  if (!charge || !hasMap(charge.maps, name)) nothing(place, withoutCharge(load));
+  else drawMap(place, width, charge, name, rangeOfMap(charge.maps, name));
 }

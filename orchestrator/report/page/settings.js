@@ -1,9 +1,10 @@
 /** What the reader chose in the settings bar, by the names of its fields. The fragment of the page's address keeps
- *  what is not the default, and the chosen cycle. */
+ *  what is not the default, and what the page adds. */
 const settingsForm = document.getElementById("settings");
 const settingFields = [...settingsForm.elements].filter((field) => field.name);
 const settings = {};
 const settingsActs = [];
+const fragmentParts = [];
 
 const defaultOf = (field) => field.options ? field.options[0].value : field.defaultValue;
 
@@ -25,8 +26,14 @@ function readFragment() {
 function writeFragment() {
   const kept = new URLSearchParams();
   for (const field of settingFields) if (settings[field.name] !== defaultOf(field)) kept.set(field.name, settings[field.name]);
-  if (chosenCycle.index) kept.set("cycle", data.loads[chosenCycle.index].cycle);
+  for (const {write} of fragmentParts) write(kept);
   history.replaceState(null, "", "#" + kept);
+}
+
+/** What else stands in the fragment, URLSearchParams: read(given) now and whenever the address changes, write(kept). */
+function onFragment(read, write) {
+  fragmentParts.push({read, write});
+  read(new URLSearchParams(location.hash.slice(1)));
 }
 
 /** Calls act() now, and whenever a setting changes. */
@@ -40,26 +47,17 @@ function settingsChanged() {
   redrawPanels();
 }
 
-/** Dates need a first day, and tonnes a feed rate. */
-function offerAxes() {
-  const offered = {hours: true, tonnes: tonnesPerHour > 0, dates: Boolean(settings.start)};
-  const choice = settingsForm.elements.axis;
-  for (const option of choice.options) option.disabled = !offered[option.value];
-  if (!offered[settings.axis]) choice.value = settings.axis = "hours";
-}
-
 function startSettings() {
-  onSettings(offerAxes);
   settingsForm.addEventListener("submit", (event) => event.preventDefault());
-  settingsForm.addEventListener("change", (event) => {
+  settingsForm.addEventListener("change", () => {
     readSettings();
-    if (event.target.name === "start" && settings.start) settings.axis = settingsForm.elements.axis.value = "dates";
     settingsChanged();
     writeFragment();
   });
   addEventListener("hashchange", () => {
     if (!location.hash.includes("=")) { writeFragment(); return; }
-    chooseCycleOf(readFragment());
+    const given = readFragment();
+    for (const {read} of fragmentParts) read(given);
     settingsChanged();
   });
 }

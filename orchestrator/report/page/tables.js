@@ -1,3 +1,7 @@
+function fillOptions(id, names, titleOf) {
+  document.getElementById(id).append(...names.map((name) => element("option", {value: name}, titleOf(name))));
+}
+
 function fillList(id, lines) {
   const list = document.getElementById(id);
   for (const [name, value] of lines)

@@ -110,6 +110,17 @@ function copyTable() {
     () => { at("copied").textContent = "the browser allows no copying here"; });
 }
 
+/** How to see the best campaign and the nearest to it by the objective side by side; without an objective the first. */
+function sayComparison() {
+  const best = data.points[data.best - 1];
+  const off = (point) => best ? Math.abs(point.objective.mean - best.objective.mean) : point.point;
+  const campaigns = donePoints.slice().sort((a, b) => off(a) - off(b)).map((point) => point.campaigns.find((one) => one.has_report));
+  const folders = campaigns.filter(Boolean).slice(0, 4).map(({folder}) => `points/${folder}`);
+  if (folders.length < 2) return;
+  at("comparison").append(`For a page that shows ${best ? "the best points" : "points"} side by side, give this in the study's folder: `,
+    element("code", {}, `millwear compare ${folders.join(" ")}`));
+}
+
 function fillChoice(select, chosen) {
   select.replaceChildren(...outputs.map((column) => element("option", {value: column.name}, `${column.name} [${column.unit}]`)));
   if (outputs.some((column) => column.name === chosen)) select.value = chosen;
@@ -246,6 +257,7 @@ function fillAgreement() {
 fillAnswer();
 sortableTable(at("points-table"), data.points, pointColumns());
 at("copy").addEventListener("click", copyTable);
+sayComparison();
 fillChoice(at("output"), "life_hours");
 fillChoice(at("cost"), "power_w");
 fillChoice(at("gain"), "life_hours");

@@ -1,12 +1,13 @@
 /** Focal length over half the height of the picture. */
 const focalLength = 4;
 
+/** A camera in shell radii about the middle of a mill, which looks along the axis; `halfSlice` is half of the longest
+ *  slice that it shows. */
+const cameraFor = (halfSlice) => lookAlongAxis({halfSlice});
+
 /** Looks along the axis at the whole mill, as the section is drawn: x to the right, z up. */
-function lookAlongAxis(camera) {
-  const middle = data.charge.slice_length / 2;
-  Object.assign(camera, {yaw: 0, tilt: 0, distance: 1.06 * focalLength * data.sector.shell_radius + middle, target: [0, middle, 0]});
-  return camera;
-}
+const lookAlongAxis = (camera) =>
+  Object.assign(camera, {yaw: 0, tilt: 0, distance: 1.06 * focalLength + camera.halfSlice, target: [0, 0, 0]});
 
 /** Directions to the right, up and back to the eye, in the mill's frame. */
 function cameraAxes({yaw, tilt}) {
@@ -28,8 +29,7 @@ function turnCamera(camera, yaw, tilt) {
 
 /** Brings the target nearer by `factor`; the point at (right, up) of half the picture stays where it is. */
 function zoomCamera(camera, factor, right, up) {
-  const radius = data.sector.shell_radius;
-  const distance = Math.max(0.15 * radius, Math.min(camera.distance / factor, 12 * radius));
+  const distance = Math.max(0.15, Math.min(camera.distance / factor, 12));
   moveCamera(camera, right * (1 - distance / camera.distance), up * (1 - distance / camera.distance));
   camera.distance = distance;
 }
@@ -37,10 +37,12 @@ function zoomCamera(camera, factor, right, up) {
 /** What the shaders need: eye [m], the turn into the camera's frame by columns, the lens of their `seen`. */
 function cameraUniforms(camera, aspect) {
   const axes = cameraAxes(camera);
-  const eye = camera.target.map((value, i) => value + camera.distance * axes[2][i]);
-  const reach = 1.1 * Math.hypot(data.sector.shell_radius, data.charge.slice_length);
-  const toMiddle = d3.sum(axes[2], (value, i) => value * (eye[i] - (i === 1 ? data.charge.slice_length / 2 : 0)));
-  const near = Math.max(0.02 * data.sector.shell_radius, toMiddle - reach);
+  const {sector: {shell_radius: radius}, charge: {slice_length: slice}} = data;
+  const fromMiddle = camera.target.map((value, i) => radius * (value + camera.distance * axes[2][i]));
+  const eye = [fromMiddle[0], fromMiddle[1] + slice / 2, fromMiddle[2]];
+  const reach = 1.1 * Math.hypot(radius, slice);
+  const toMiddle = d3.sum(axes[2], (value, i) => value * fromMiddle[i]);
+  const near = Math.max(0.02 * radius, toMiddle - reach);
   const far = Math.max(2 * near, toMiddle + reach);
   return {eye, turn: d3.transpose(axes).flat(),
     lens: [focalLength / aspect, focalLength, (far + near) / (near - far), 2 * far * near / (near - far)]};

@@ -18,37 +18,47 @@ function paletteOf(colourAt) {
 /** Particles by what `of` gives for their class, in the order of `values`. */
 function colouringByClass(of, values, colours, text) {
   const colourOf = (one) => colours[values.indexOf(of(one))];
-  return {entry: 0, fast: 1, palette: paletteOf((i) => data.charge.classes[i] ? colourOf(data.charge.classes[i]) : "#000"),
+  return {entry: 0, fast: 1, palette: ({charge: {classes}}) => paletteOf((i) => classes[i] ? colourOf(classes[i]) : "#000"),
     legend: (place) => key(place, values.map((value, i) => ({name: text(value), style: "block", colour: colours[i]})))};
 }
 
-function colouringBySize() {
-  const diameters = [...new Set(data.charge.classes.map((one) => one.diameter))].sort(d3.descending);
+function colouringBySize(classes) {
+  const diameters = [...new Set(classes.map((one) => one.diameter))].sort(d3.descending);
   const colours = diameters.map((diameter, i) => sizeRamp(diameters.length > 1 ? 1 - i / (diameters.length - 1) : 1));
   return colouringByClass((one) => one.diameter, diameters, colours, (diameter) => Number(inMillimetres(diameter).toPrecision(3)) + " mm");
 }
 
-function colouringByMaterial() {
-  const materials = [...new Set(data.charge.classes.map((one) => one.material))];
+function colouringByMaterial(classes) {
+  const materials = [...new Set(classes.map((one) => one.material))];
   return colouringByClass((one) => one.material, materials, materials.map((one, i) => materialColours[i % materialColours.length]), String);
 }
 
+/** What speed() [m/s] is in each of the campaigns. */
+const speedsText = (campaigns, speed) =>
+  [...new Set(campaigns.map((one) => significant(2)(inCampaign(one, speed))))].join(" and ") + " m/s";
+
 /** From 0 to `fast` [m/s]; what is faster has the last colour. */
-function colouringBySpeed(fast) {
+function colouringBySpeed(campaigns, fast) {
   const stops = d3.range(0, 9).map((i) => speedRamp(i / 8)).join(",");
-  const plate = data.charge.speed * data.sector.plate_radius;
-  return {entry: 1, fast, palette: paletteOf((i) => speedRamp(i / 255)), legend: (place) => place.append(element("p", {class: "key"},
+  const plates = speedsText(campaigns, () => data.charge.speed * data.sector.plate_radius);
+  const palette = paletteOf((i) => speedRamp(i / 255));
+  return {entry: 1, fast, palette: () => palette, legend: (place) => place.append(element("p", {class: "key"},
     element("span", {}, "0 ", element("i", {class: "ramp", style: `background:linear-gradient(90deg,${stops})`}),
-      `${significant(2)(fast)} m/s and more`), element("span", {}, `the new plate moves with ${significant(2)(plate)} m/s`)))};
+      `${significant(2)(fast)} m/s and more`), element("span", {}, `the new plate moves with ${plates}`)))};
 }
 
-function colouringByMill() {
-  return {entry: 2, fast: 1, palette: paletteOf((i) => withMillColours[Math.min(i, 1)]), legend: (place) => key(place, [
-    {name: `moves with the mill, to ${significant(2)(slipWithMill())} m/s`, style: "block",
+function colouringByMill(campaigns) {
+  const palette = paletteOf((i) => withMillColours[Math.min(i, 1)]);
+  return {entry: 2, fast: 1, palette: () => palette, legend: (place) => key(place, [
+    {name: `moves with the mill, to ${speedsText(campaigns, slipWithMill)}`, style: "block",
       colour: withMillColours[1]},
     {name: "does not", style: "block", colour: withMillColours[0]}])};
 }
 
-/** How particles can be coloured: name to {entry: code of the shader, palette, fast [m/s], legend(place)}. */
-const colouringsOf = (fast) => ({"speed": colouringBySpeed(fast), "material": colouringByMaterial(), "size": colouringBySize(),
-  "what moves with the mill": colouringByMill()});
+/** How the particles of campaigns can be coloured: name to {entry: code of the shader, palette(campaign), fast [m/s],
+ *  legend(place)}. */
+function colouringsOf(campaigns, fast) {
+  const classes = campaigns.flatMap((one) => one.charge.classes);
+  return {"speed": colouringBySpeed(campaigns, fast), "material": colouringByMaterial(classes), "size": colouringBySize(classes),
+    "what moves with the mill": colouringByMill(campaigns)};
+}

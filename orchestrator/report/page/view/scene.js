@@ -79,7 +79,7 @@ function chargeScene(canvas) {
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     const seen = cameraUniforms(camera, canvas.width / canvas.height);
     drawLiner({...seen, millAngle: from + share * (to - from), colour: shares(style.color)});
-    fillPalette(colouring.palette);
+    fillPalette(colouring.palette(data));
     const pixel = 2 / (focalLength * canvas.height);
     drawSpheres({...seen, share, duration, pixel, colouring: colouring.entry, fast: colouring.fast}, interval);
   }};

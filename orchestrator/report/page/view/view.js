@@ -2,13 +2,14 @@ const viewKeys = "Drag to turn the mill. Click a picture first to zoom with the 
   "Shift and arrows move, + and − zoom, 0 looks along the axis again, and so does a double click.";
 
 /** A choice of what the particles' colours tell: {control, legend, chosen(), update() after the cycles have changed}. */
-function colouringChoice(panes, changed) {
-  const names = Object.keys(colouringsOf(1));
+function colouringChoice(viewed, panes, changed) {
+  const campaigns = [...new Set(viewed.map(({campaign}) => campaign))];
+  const names = Object.keys(colouringsOf(campaigns, 1));
   const choice = element("select", {}, ...names.map((name) => element("option", {}, name)));
   const legend = element("div", {class: "legend"});
   let colouring = null;
   const update = () => {
-    colouring = colouringsOf(d3.max(panes, (pane) => pane.one.movement().fast))[choice.value];
+    colouring = colouringsOf(campaigns, d3.max(panes, (pane) => pane.one.movement().fast))[choice.value];
     legend.replaceChildren();
     colouring.legend(legend);
     for (const pane of panes) pane.describe();
@@ -43,8 +44,8 @@ function whenNear(watched, start, seen) {
   }, {rootMargin: "300px"}).observe(watched);
 }
 
-function fillChargeView(section, viewed) {
-  const camera = lookAlongAxis({});
+function fillChargeView(section, viewed, shown) {
+  const camera = cameraFor(d3.max(viewed, ({campaign: {charge, sector}}) => charge.slice_length / (2 * sector.shell_radius)));
   const playback = playbackOf(d3.min(viewed, ({charge: {frames: {times}}}) => times[times.length - 1] - times[0]));
   let near = false;
   const redraw = drawingLoop((now) => {
@@ -53,9 +54,8 @@ function fillChargeView(section, viewed) {
     if (near) for (const pane of panes) pane.draw(playback.time, camera, colouring.chosen());
   }, () => near && playback.playing);
   const controls = playbackControls(playback, redraw);
-  const shown = viewed.length > 1 ? [0, viewed.length - 1] : [0];
   const panes = shown.map((first) => viewPane(viewed, first, redraw, () => colouring.update()));
-  const colouring = colouringChoice(panes, redraw);
+  const colouring = colouringChoice(viewed, panes, redraw);
   for (const pane of panes) steer(pane.canvas, camera, redraw);
   const front = element("button", {type: "button"}, "Look along the axis");
   front.addEventListener("click", () => { lookAlongAxis(camera); redraw(); });
@@ -73,17 +73,28 @@ function fillChargeView(section, viewed) {
   onSettings(redraw);
 }
 
-/** Builds the view of the charge in an empty section: the mill in space, which turns and plays, new beside worn. */
-function startChargeView(section) {
-  const cycles = ((data.charge || {}).cycles || []).filter(({frames}) => frames && frames.times.length > 1);
+/** Builds the view in an empty section: the mill in space, which turns and plays. `shown` are the viewed charges, by
+ *  their numbers, that the pictures begin with. */
+function buildChargeView(section, viewed, shown) {
   section.classList.add("charge-view");
   section.append(element("h3", {}, "In the mill"));
-  if (!cycles.length) {
+  if (!viewed.length) {
     section.append(element("p", {class: "nothing"}, "No frames of the charge were kept in this run."));
     return;
   }
+  const slices = [...new Set(viewed.map(({campaign}) => Number(campaign.charge.slice_length.toPrecision(3))))];
   section.append(element("p", {class: "on-screen"}, `The first moments of a measurement, ${slowedDown} times slower than the mill ` +
-    "turns. Between two frames the particles move on straight lines. The slice is " +
-    `${Number(data.charge.slice_length.toPrecision(3))} m long; the pictures show it without end walls.`));
-  fillChargeView(section, cycles.map(viewedCharge));
+    `turns. Between two frames the particles move on straight lines. The slice is ${slices.join(" or ")} m long; the pictures show it ` +
+    "without end walls."));
+  fillChargeView(section, viewed, shown);
+}
+
+/** The charges of a campaign that have frames. */
+const viewedCharges = (campaign, nameOf) => ((campaign.charge || {}).cycles || [])
+  .filter(({frames}) => frames && frames.times.length > 1).map((charge) => viewedCharge(campaign, charge, nameOf(charge)));
+
+/** The view of one campaign, new beside worn. */
+function startChargeView(section) {
+  const viewed = viewedCharges(data, ({cycle}) => cycleText(cycle));
+  buildChargeView(section, viewed, viewed.length > 1 ? [0, viewed.length - 1] : [0]);
 }

@@ -1,11 +1,11 @@
-/** What a view needs of a cycle's charge, each worked out when it is first asked for. */
-function viewedCharge(charge) {
-  const once = (make) => { let made = null; return () => made || (made = make()); };
+/** What a view needs of a cycle's charge in a campaign, each worked out when it is first asked for. */
+function viewedCharge(campaign, charge, name) {
+  const once = (make) => { let made = null; return () => made || (made = inCampaign(campaign, make)); };
   const frames = once(() => decodedFrames(charge.frames));
-  return {charge, frames, mesh: once(() => sectorMesh(charge.liner)), movement: once(() => movementOf(frames()))};
+  return {campaign, charge, name, frames, mesh: once(() => sectorMesh(charge.liner)), movement: once(() => movementOf(frames()))};
 }
 
-const cycleText = (cycle) => `${cycle}, from ${hoursText(ageOfCycle(cycle))}`;
+const cycleText = (cycle) => `cycle ${cycle}, from ${hoursText(ageOfCycle(cycle))}`;
 
 function paneWords({charge, movement}) {
   const shown = charge.frames.thinning > 1
@@ -16,37 +16,37 @@ function paneWords({charge, movement}) {
 }
 
 /** What stands for the picture in print and where the browser has no WebGL 2. */
-function standIn({cycle, pictures}) {
-  const picture = (pictures || {}).section;
-  return picture ? element("img", {src: picture, alt: "Section of the mill with its charge, cycle " + cycleText(cycle)})
+function standIn({charge, name}) {
+  const picture = (charge.pictures || {}).section;
+  return picture ? element("img", {src: picture, alt: "Section of the mill with its charge, " + name})
     : element("p", {class: "nothing"}, "The charge is shown on a screen, by a browser with WebGL 2.");
 }
 
 /**
  * One picture with the choice of its cycle: figure, canvas, one (the viewedCharge that is shown); start() tells whether
  * it can draw, describe() and draw(time, camera, colouring) show. Calls redraw() where it has to be drawn anew, and
- * cycleChosen() where it shows another cycle.
+ * chosen() where it shows another cycle.
  */
-function viewPane(viewed, first, redraw, cycleChosen) {
-  const choice = element("select", {}, ...viewed.map(({charge}, i) => element("option", {value: i}, cycleText(charge.cycle))));
+function viewPane(viewed, first, redraw, chosen) {
+  const choice = element("select", {}, ...viewed.map(({name}, i) => element("option", {value: i}, name)));
   const canvas = element("canvas", {tabindex: 0, role: "img", "aria-describedby": "charge-view-keys"});
   const instead = element("div", {class: "stand-in"});
   const caption = element("figcaption", {});
-  const label = element("label", {class: "control"}, "DEM cycle ", choice);
+  const label = element("label", {class: "control"}, "Shown ", choice);
   const pane = {canvas, figure: element("figure", {}, label, canvas, instead, caption)};
   let scene = null;
   const choose = (i) => {
     pane.one = viewed[i];
     choice.value = i;
-    canvas.setAttribute("aria-label", "The charge in the mill, cycle " + cycleText(pane.one.charge.cycle));
-    instead.replaceChildren(standIn(pane.one.charge));
+    canvas.setAttribute("aria-label", "The charge in the mill, " + pane.one.name);
+    instead.replaceChildren(standIn(pane.one));
   };
   const start = () => {
     scene = chargeScene(canvas);
     redraw();
     return scene !== null;
   };
-  choice.addEventListener("change", () => { choose(Number(choice.value)); cycleChosen(); });
+  choice.addEventListener("change", () => { choose(Number(choice.value)); chosen(); });
   canvas.addEventListener("webglcontextlost", (event) => { event.preventDefault(); scene = null; });
   canvas.addEventListener("webglcontextrestored", start);
   new ResizeObserver(() => {
@@ -58,6 +58,6 @@ function viewPane(viewed, first, redraw, cycleChosen) {
   choose(first);
   pane.start = start;
   pane.describe = () => { caption.textContent = paneWords(pane.one); };
-  pane.draw = (time, camera, colouring) => { if (scene) scene.draw(pane.one, time, camera, colouring); };
+  pane.draw = (time, camera, colouring) => { if (scene) inCampaign(pane.one.campaign, () => scene.draw(pane.one, time, camera, colouring)); };
   return pane;
 }

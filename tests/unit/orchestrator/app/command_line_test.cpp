@@ -69,6 +69,17 @@ TEST(CommandLine, TakesEveryOptionOfCompare) {
   EXPECT_FALSE(options_from<CompareOptions>({"case.toml"}).calibrate_until);
 }
 
+TEST(CommandLine, TakesOneCaseOrSeveralCampaignsToCompare) {
+  const auto one = options_from<CompareOptions>({"case.toml", "--profiles", "a.csv", "b.csv"});
+  EXPECT_EQ(one.common.case_file, "case.toml");
+  EXPECT_TRUE(one.campaigns.empty());
+  EXPECT_EQ(one.compared_profiles.size(), 2u);
+  const auto two = options_from<CompareOptions>({"runs/a", "runs/b", "--page", "p.html", "--json"});
+  EXPECT_EQ(two.campaigns, (std::vector<std::filesystem::path>{"runs/a", "runs/b"}));
+  EXPECT_EQ(two.page, "p.html");
+  EXPECT_EQ(two.common.form, OutputForm::json);
+}
+
 TEST(CommandLine, TakesEveryOptionOfImport) {
   const auto import = options_from<ImportOptions>(
       {"case.toml", "scan.dxf", "--hours", "5112", "--unit", "mm", "--layer", "LINER", "--align",

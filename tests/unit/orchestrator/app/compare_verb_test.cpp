@@ -7,6 +7,7 @@
 #include "mill/base/failure.h"
 #include "mill/case_file/case_file.h"
 #include "mill/case_file/case_lock.h"
+#include "orchestrator/campaign/ledger.h"
 #include "orchestrator/results/history.h"
 #include "orchestrator/results/profiles.h"
 #include "orchestrator/results/replicates.h"
@@ -213,6 +214,65 @@ TEST_F(CompareVerb, DoesNotWriteAmongTheCampaignsOwnFiles) {
                 HasSubstr("among the campaign's own files"));
     EXPECT_EQ(fs::exists(folder.path() / name) ? text_of(folder.path() / name) : "", before);
   }
+}
+
+/// Two folders of campaigns that have begun.
+class CompareFolders : public testing::Test {
+ protected:
+  fs::path begun(const std::string& name) const {
+    const fs::path root = folder.path() / name;
+    fs::create_directories(root);
+    put_text(root / "case.lock.toml", locked_case_text(read_case(pilot)));
+    write_ledger(root / "ledger.jsonl", {{"millwear", "hash", 2, "host"}, {}});
+    return root;
+  }
+
+  CompareOptions asked(std::vector<fs::path> folders) const {
+    CompareOptions made;
+    made.campaigns = std::move(folders);
+    made.page = folder.path() / "page.html";
+    return made;
+  }
+
+  static ExitCode refused(const CompareOptions& asked) {
+    try {
+      compare_verb(asked);
+    } catch (const Failure& failure) {
+      return failure.exit_code;
+    }
+    return ExitCode::ok;
+  }
+
+  const TemporaryFolder folder;
+};
+
+TEST_F(CompareFolders, WriteAPageAndNothingElse) {
+  const auto options = asked({begun("one"), begun("two")});
+  EXPECT_EQ(refused(options), ExitCode::ok);
+  EXPECT_THAT(text_of(*options.page), HasSubstr("<h1>one, two</h1>"));
+  for (const auto& campaign : options.campaigns)
+    EXPECT_EQ(std::distance(fs::directory_iterator(campaign), {}), 2);
+}
+
+TEST_F(CompareFolders, WriteNothingWhereOneIsNoCampaign) {
+  fs::create_directory(folder.path() / "none");
+  const auto options = asked({begun("one"), folder.path() / "none"});
+  EXPECT_EQ(refused(options), ExitCode::bad_case_file);
+  EXPECT_FALSE(fs::exists(*options.page));
+}
+
+TEST_F(CompareFolders, GoWithTheirOwnOptionsAlone) {
+  auto with_csv = asked({begun("one"), begun("two")});
+  with_csv.csv = folder.path() / "table.csv";
+  EXPECT_EQ(refused(with_csv), ExitCode::usage);
+  CompareOptions without;
+  without.common.case_file = pilot;
+  without.page = folder.path() / "page.html";
+  EXPECT_EQ(refused(without), ExitCode::usage);
+  auto inside = asked({begun("one"), begun("three")});
+  inside.page = folder.path() / "one" / "page.html";
+  EXPECT_EQ(refused(inside), ExitCode::usage);
+  EXPECT_EQ(refused(asked(std::vector<fs::path>(9, folder.path() / "one"))), ExitCode::usage);
 }
 
 }  // namespace

@@ -1,0 +1,13 @@
+sayMissing();
+onFragment(readMoment, keepMoment);
+startTheme();
+startSettings();
+onSettings(sayAngles);
+startMoment();
+panel("answer-table", fillAnswers);
+panel("differing-table", fillDiffering);
+startCourses();
+startOverlays();
+startCharges();
+startContents();
+drawSoon();

@@ -75,7 +75,7 @@ ChargePicture close_up_picture(const ChargeAtInstant& charge) {
       std::clamp(pitches * charge.liner.sector.pitch() * radius, 0.25 * radius, radius);
   const Vector2d middle = -(radius - 0.45 * side) * Vector2d(std::sin(angle), std::cos(angle));
   const Vector2d half = Vector2d::Constant(0.5 * side);
-  return with_steel(charge, {middle - half, middle + half}, {1500, 1500});
+  return with_steel(charge, {middle - half, middle + half}, {1600, 1600});
 }
 
 ChargePicture slice_picture(const ChargeAtInstant& charge) {

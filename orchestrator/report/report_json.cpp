@@ -69,9 +69,11 @@ void write(std::string& text, double number) {
     text += "null";
     return;
   }
+  constexpr int shown_digits = 8;
   std::array<char, 32> digits;
-  text.append(digits.data(),
-              std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
+  text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number,
+                                           std::chars_format::general, shown_digits)
+                                 .ptr);
 }
 
 void write(std::string& text, int number) { text += std::to_string(number); }

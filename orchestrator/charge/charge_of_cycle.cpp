@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <set>
 
+#include "mill/base/constants.h"
 #include "mill/base/contract.h"
 #include "mill/liner/profile_measures.h"
 #include "wear/charge/charge_record.h"
@@ -51,9 +53,17 @@ double inside_the_crests(const LinerProfile& liner, const wear::SectionGrid& gri
   return crest_radius(liner) - grid.cell_size();
 }
 
+double scale_of_speeds(double diameter) {
+  const double fall = 0.75 * std::sqrt(2.0 * standard_gravity * diameter);
+  return fall > 4.0 ? std::round(fall) : std::round(2.0 * fall) / 2.0;
+}
+
 ShownCharge charge_of(const Case& mill) {
-  ShownCharge shown{
-      .classes = {}, .speed = mill.speed, .slice_length = mill.slice_length, .cycles = {}};
+  ShownCharge shown{.classes = {},
+                    .speed = mill.speed,
+                    .slice_length = mill.slice_length,
+                    .fastest = scale_of_speeds(2.0 * mill.liner.sector.shell_radius),
+                    .cycles = {}};
   for (const ParticleClass& one : mill.charge.classes) {
     const Material& material = mill.materials[one.material];
     shown.classes.push_back({fmt::format("{} {:g} mm", material.name, 1e3 * one.diameter),

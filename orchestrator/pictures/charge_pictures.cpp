@@ -3,10 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <filesystem>
-#include <functional>
-#include <future>
 #include <string_view>
 
 #include "mill/base/failure.h"
@@ -18,7 +15,7 @@
 #include "orchestrator/pictures/field_pictures.h"
 #include "orchestrator/pictures/polar_picture.h"
 #include "orchestrator/process/child_process.h"
-#include "orchestrator/process/usable_cores.h"
+#include "orchestrator/process/on_all_cores.h"
 
 namespace millwear::orchestrator {
 namespace {
@@ -30,10 +27,10 @@ struct PictureSource {
   const ShownCharge& charge;
   const ChargeOfCycle& cycle;
   const CycleLoad& load;
-  double fastest;  ///< [m/s], at the end of the scale of speeds
 
   [[nodiscard]] ChargeAtInstant instant(Colouring colouring) const {
-    return {*cycle.frames, 0, cycle.liner, colouring, class_colours(charge.classes), fastest};
+    return {*cycle.frames, 0, cycle.liner, colouring, class_colours(charge.classes),
+            charge.fastest};
   }
 };
 
@@ -58,11 +55,11 @@ const std::vector<PictureKind> kinds{
     {"slice", Wanted::of_chosen_cycles,
      [](const PictureSource& s) { return slice_picture(s.instant(Colouring::speed)); }},
     {"streaks", Wanted::of_chosen_cycles,
-     [](const PictureSource& s) { return only_png(streaks_picture(s.cycle, s.fastest)); }},
+     [](const PictureSource& s) { return streaks_picture(s.cycle, s.charge.fastest); }},
     {"occupancy", Wanted::of_chosen_cycles,
      [](const PictureSource& s) { return only_png(occupancy_picture(s.cycle)); }},
     {"velocity", Wanted::of_chosen_cycles,
-     [](const PictureSource& s) { return only_png(velocity_picture(s.cycle, s.fastest)); }},
+     [](const PictureSource& s) { return only_png(velocity_picture(s.cycle, s.charge.fastest)); }},
     {"collision_power", Wanted::of_chosen_cycles,
      [](const PictureSource& s) { return only_png(collision_power_picture(s.cycle)); }},
     {"segregation", Wanted::of_chosen_cycles,
@@ -105,23 +102,24 @@ CycleWork work_of(const Campaign& campaign, const Ledger& ledger, bool chosen,
   return work;
 }
 
-double speed_scale_of(const Campaign& campaign) {
-  return speed_scale(2.0 * campaign.mill.liner.sector.shell_radius);
-}
-
+/// Reads first and draws then: HDF5 serves one thread only.
 void draw(const Campaign& campaign, const ShownCharge& charge, CycleWork& work) {
   if (work.missing.empty()) return;
   const int number = work.cycle.cycle;
   const ShownCharge whole = charge_of_cycles(campaign, {number});
   if (!whole.cycles.front().frames) return;
   const CycleLoad load = load_of_cycle(campaign, number);
-  const PictureSource source{charge, whole.cycles.front(), load, speed_scale_of(campaign)};
-  for (const PictureKind* kind : work.missing) {
-    const ChargePicture picture = kind->draw(source);
-    if (!picture.png.empty()) publish(png_file(campaign, number, kind->name), picture.png);
-    keep(jpeg_file(campaign, number, kind->name), work.key, picture.jpeg);
-    if (!picture.jpeg.empty()) work.cycle.pictures[std::string(kind->name)] = picture.jpeg;
-  }
+  const PictureSource source{charge, whole.cycles.front(), load};
+  std::vector<std::string> jpegs(work.missing.size());
+  for_each_on_all_cores(work.missing.size(), [&](std::size_t i) {
+    const PictureKind& kind = *work.missing[i];
+    ChargePicture picture = kind.draw(source);
+    if (!picture.png.empty()) publish(png_file(campaign, number, kind.name), picture.png);
+    keep(jpeg_file(campaign, number, kind.name), work.key, picture.jpeg);
+    jpegs[i] = std::move(picture.jpeg);
+  });
+  for (std::size_t i = 0; i < jpegs.size(); ++i)
+    if (!jpegs[i].empty()) work.cycle.pictures[std::string(work.missing[i]->name)] = jpegs[i];
 }
 
 std::vector<CycleWork> works_of(const Campaign& campaign, const Ledger& ledger,
@@ -138,18 +136,6 @@ void check_renderers() {
   static_cast<void>(program_on_path("gnuplot", "gnuplot-nox"));
 }
 
-/// Calls work(0) ... work(count - 1), side by side on the cores there are.
-void for_each_on_all_cores(std::size_t count, const std::function<void(std::size_t)>& work) {
-  std::atomic<std::size_t> next = 0;
-  const auto some = [&] {
-    for (std::size_t i = next++; i < count; i = next++) work(i);
-  };
-  std::vector<std::future<void>> workers;
-  for (int i = 1; i < usable_cores(); ++i) workers.push_back(std::async(std::launch::async, some));
-  some();
-  for (auto& worker : workers) worker.get();
-}
-
 }  // namespace
 
 bool draw_charge_pictures(const Campaign& campaign, const Ledger& ledger,
@@ -159,7 +145,7 @@ bool draw_charge_pictures(const Campaign& campaign, const Ledger& ledger,
   if (std::ranges::all_of(works, complete)) return false;
   check_renderers();
   fs::create_directories(campaign.folder.results() / "pictures");
-  for_each_on_all_cores(works.size(), [&](std::size_t i) { draw(campaign, charge, works[i]); });
+  for (CycleWork& work : works) draw(campaign, charge, work);
   return true;
 }
 
@@ -178,7 +164,7 @@ void write_pictures_of_cycle(const Campaign& campaign, const Ledger& ledger, int
   make_folder(folder);
   const auto& load_hash = ledger.find({cycle, StageKind::dem})->outputs.at(stage_files::load);
   const CycleLoad load = look_at_load_of_cycle(campaign, cycle, load_hash);
-  const PictureSource source{charge, charge.cycles.front(), load, speed_scale_of(campaign)};
+  const PictureSource source{charge, charge.cycles.front(), load};
   const std::size_t frames = source.cycle.frames->frames();
   for_each_on_all_cores(kinds.size() + frames, [&](std::size_t i) {
     if (i < kinds.size()) {

@@ -11,9 +11,9 @@ namespace millwear::orchestrator {
 /// The pictures of the charge: of every cycle that recorded it the section and the close-up of the
 /// lifters, and of `chosen` cycles all there are. Each is drawn once and kept for the page beside
 /// its cycle, and lies as PNG in `results/pictures/cycle_NNN_NAME.png`.
-/// Puts them into `data.charge`, and says whether one was drawn. Cycles are drawn side by side on
-/// the cores there are. Throws ExternalProgramError where tachyon or gnuplot is missing or fails,
-/// DiskError where a picture cannot be written; what was drawn before stays.
+/// Puts them into `data.charge`, and says whether one was drawn. Pictures are drawn side by
+/// side on the cores there are. Throws ExternalProgramError where tachyon or gnuplot is missing or
+/// fails, DiskError where a picture cannot be written; what was drawn before stays.
 bool draw_charge_pictures(const Campaign& campaign, const Ledger& ledger,
                           const std::set<int>& chosen, ShownCharge& charge);
 

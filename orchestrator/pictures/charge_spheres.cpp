@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 
-#include "mill/base/constants.h"
 #include "orchestrator/pictures/colour_ramp.h"
 
 namespace millwear::orchestrator {
@@ -23,11 +22,6 @@ const std::vector<Shades> material_shades{{{0.10, 0.24, 0.42}, {0.55, 0.74, 0.90
                                           {{0.36, 0.20, 0.40}, {0.80, 0.68, 0.84}}};
 
 }  // namespace
-
-double speed_scale(double diameter) {
-  const double fall = 0.75 * std::sqrt(2.0 * standard_gravity * diameter);
-  return fall > 4.0 ? std::round(fall) : std::round(2.0 * fall) / 2.0;
-}
 
 std::vector<ColouredName> class_colours(const std::vector<ShownClass>& classes) {
   std::map<std::string, std::vector<double>> sizes;

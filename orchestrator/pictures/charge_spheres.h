@@ -10,10 +10,6 @@ namespace millwear::orchestrator {
 /// What the colours of particles tell.
 enum class Colouring { speed, size };
 
-/// The speed at the end of the scale [m/s]: three quarters of that after a fall through the mill,
-/// sqrt(2 g D), rounded. The same for every cycle of a campaign.
-[[nodiscard]] double speed_scale(double diameter);
-
 /// A colour for every particle class: blue for the first material, brown for the second, the
 /// smaller the brighter.
 [[nodiscard]] std::vector<ColouredName> class_colours(const std::vector<ShownClass>& classes);

@@ -153,10 +153,13 @@ std::string segregation_picture(const ChargeOfCycle& charge) {
   return gnuplot_output(blocks + section_terminal(count) + panels);
 }
 
-std::string streaks_picture(const ChargeOfCycle& charge, double fastest) {
-  return gnuplot_output(track_block(*charge.frames) + section_terminal(1) +
-                        section_panel(charge, "speed [m/s]", 0.0, fastest,
-                                      "$tracks using 1:2:3 with lines lw 0.7 lc palette notitle"));
+ChargePicture streaks_picture(const ChargeOfCycle& charge, double fastest) {
+  const std::string tracks = track_block(*charge.frames);
+  const std::string panel =
+      section_panel(charge, "speed [m/s]", 0.0, fastest,
+                    "$tracks using 1:2:3 with lines lw 0.7 lc palette notitle");
+  return {gnuplot_output(tracks + section_terminal(1) + panel),
+          gnuplot_output(tracks + section_jpeg_terminal() + panel)};
 }
 
 }  // namespace millwear::orchestrator

@@ -2,10 +2,11 @@
 #include <string>
 
 #include "orchestrator/charge/charge_of_cycle.h"
+#include "orchestrator/pictures/composed.h"
 
 namespace millwear::orchestrator {
 
-/// All as PNG, over the mill's section in the frame at rest: circles mark the shell and the crests
+/// As PNG, over the mill's section in the frame at rest: circles mark the shell and the crests
 /// of the lifters.
 
 /// The share of time that a place is inside of a particle, with toe, shoulder, head and centre of
@@ -22,7 +23,7 @@ namespace millwear::orchestrator {
 /// Mean size and, of several materials, the share of each: segregation.
 [[nodiscard]] std::string segregation_picture(const ChargeOfCycle& charge);
 
-/// The tracks of particles over the frames, coloured by speed.
-[[nodiscard]] std::string streaks_picture(const ChargeOfCycle& charge, double fastest);
+/// The tracks of particles over the frames, coloured by speed; as JPEG without its colour bar.
+[[nodiscard]] ChargePicture streaks_picture(const ChargeOfCycle& charge, double fastest);
 
 }  // namespace millwear::orchestrator

@@ -42,11 +42,12 @@ std::string polar_picture(const wear::PolarLoad& load, const LoadAlongProfile& a
   std::string blocks;
   std::string panels;
   for (std::size_t m = 0; m < titles.size(); ++m) {
+    const double most = load.values[m].maxCoeff() / load.values[m].mean();
     blocks += block_of(m, load.values[m], along);
     panels += fmt::format(
-        "set title '{}'\nset cbrange [{}:*]\nplot $map{} using 1:2:3 with image "
+        "set title '{}'\nset cbrange [{}:{}]\nplot $map{} using 1:2:3 with image "
         "notitle\n",
-        titles[m], least_shown, m);
+        titles[m], least_shown, most > 1.0 ? most : 1.0, m);
   }
   return gnuplot_output(
       blocks +

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 
@@ -11,7 +12,15 @@
 namespace millwear::orchestrator {
 namespace {
 
-constexpr int panel_height = 540;  // px
+constexpr int panel_height = 540;    // px
+constexpr int jpeg_side = 600;       // px
+constexpr double least_span = 1e-6;  // of a scale: gnuplot draws no empty one
+
+std::string panel_settings() {
+  return "unset border\nunset xtics\nunset ytics\nset size ratio -1\nset samples 361\n"
+         "set style textbox opaque noborder fillcolor '#ffffff' margins 0.6,0.6\n" +
+         ramp_palette();
+}
 
 std::string circle(double radius) {
   return fmt::format(
@@ -26,9 +35,12 @@ std::string section_terminal(int panels) {
   return fmt::format(
              "set terminal pngcairo size {},{} font 'DejaVu Sans,11' background '#ffffff'\n",
              section_plot_width * panels, panel_height) +
-         "unset border\nunset xtics\nunset ytics\nset size ratio -1\nset samples 361\n"
-         "set style textbox opaque noborder fillcolor '#ffffff' margins 0.6,0.6\n" +
-         ramp_palette() + fmt::format("set multiplot layout 1,{}\n", panels);
+         panel_settings() + fmt::format("set multiplot layout 1,{}\n", panels);
+}
+
+std::string section_jpeg_terminal() {
+  return fmt::format("set terminal jpeg size {0},{0}\n", jpeg_side) + panel_settings() +
+         "unset colorbox\nset lmargin 0\nset rmargin 0\nset tmargin 0\nset bmargin 0\n";
 }
 
 std::string map_block(const std::string& name, const wear::SectionGrid& grid,
@@ -50,7 +62,7 @@ std::string section_panel(const ChargeOfCycle& charge, const std::string& words,
   return fmt::format(
              "set xrange [{0}:{1}]\nset yrange [{0}:{1}]\nset cbrange [{2}:{3}]\nset cblabel "
              "'{4}'\nplot ",
-             -half, half, low, end, words) +
+             -half, half, low, std::max(end, low + least_span), words) +
          plots + circle(charge.liner.sector.shell_radius) + circle(crest_radius(charge.liner)) +
          "\n";
 }

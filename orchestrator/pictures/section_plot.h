@@ -11,6 +11,9 @@ inline constexpr int section_plot_width = 620;  ///< of one panel with its colou
 /// gnuplot's commands for one or more panels side by side: terminal and layout.
 [[nodiscard]] std::string section_terminal(int panels);
 
+/// The same for one panel as JPEG, without a colour bar.
+[[nodiscard]] std::string section_jpeg_terminal();
+
 /// A block of the values of a map, for `with image`: x, z and value, cell by cell; what is
 /// not known is left out.
 [[nodiscard]] std::string map_block(const std::string& name, const wear::SectionGrid& grid,

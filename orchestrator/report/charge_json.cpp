@@ -27,10 +27,23 @@ std::string base64_of(const std::vector<Integer>& values) {
       {reinterpret_cast<const std::uint8_t*>(values.data()), values.size() * sizeof(Integer)});
 }
 
+enum class Steps { equal, equal_ratios };
+
 /// What the 255 values of a map stand for, the same in all cycles.
 struct Scale {
   double low;
   double high;
+  Steps steps = Steps::equal;
+
+  /// Where a value lies from low to high, 0 ... 1.
+  [[nodiscard]] double share(double value) const {
+    const double share = steps == Steps::equal ? (value - low) / (high - low)
+                                               : std::log(value / low) / std::log(high / low);
+    return std::clamp(share, 0.0, 1.0);
+  }
+  [[nodiscard]] bool has(double value) const {
+    return std::isfinite(value) && (steps == Steps::equal || value >= low);
+  }
 };
 
 /// From the smallest to the largest of the values but for a few of the outermost. All but
@@ -53,11 +66,13 @@ Json json_of_map(const double* values, std::size_t count, const Scale& scale,
                  const std::string& unit) {
   std::vector<std::uint8_t> steps(count, 0);
   for (std::size_t i = 0; i < count; ++i)
-    if (std::isfinite(values[i])) {
-      const double share = (values[i] - scale.low) / (scale.high - scale.low);
-      steps[i] = static_cast<std::uint8_t>(1.0 + std::round(254.0 * std::clamp(share, 0.0, 1.0)));
-    }
-  return {{"low", scale.low}, {"high", scale.high}, {"unit", unit}, {"values", base64_of(steps)}};
+    if (scale.has(values[i]))
+      steps[i] = static_cast<std::uint8_t>(1.0 + std::round(254.0 * scale.share(values[i])));
+  return {{"low", scale.low},
+          {"high", scale.high},
+          {"log", scale.steps == Steps::equal_ratios},
+          {"unit", unit},
+          {"values", base64_of(steps)}};
 }
 
 using Scales = std::map<std::string, Scale>;
@@ -101,31 +116,40 @@ Json json_of(const wear::ChargeFrames& frames, std::size_t most_bytes) {
           {"moves", base64_of(page.moves)}};
 }
 
+/// A polar load over its mean, a column a bin, angles from six o'clock on.
+Eigen::MatrixXd over_mean(const Eigen::MatrixXd& load) {
+  const Eigen::Index half = wear::polar_columns / 2;
+  Eigen::MatrixXd turned(load.rows(), wear::polar_columns);
+  turned << load.rightCols(half), load.leftCols(half);
+  const double mean = load.mean();
+  return turned.transpose() / (mean > 0.0 ? mean : 1.0);
+}
+
+/// Hits are few and heavy: in equal steps all but some cells would look empty.
+Scale polar_scale(const std::vector<PolarLoadOfCycle>& loads, std::size_t measure) {
+  constexpr double least_shown = 0.1;
+  double most = 1.0;
+  for (const auto& load : loads)
+    most = std::max(most, over_mean(load.load.values[measure]).maxCoeff());
+  return {least_shown, most, Steps::equal_ratios};
+}
+
 Json json_of(const wear::PolarLoad& load, const std::vector<Scale>& scales) {
   Json maps = Json::object();
   for (std::size_t m = 0; m < wear::polar_measures.size(); ++m) {
-    const auto measure = index_of(wear::polar_measures[m]);
-    // Columns from six o'clock on, in place of from twelve.
-    const Eigen::Index half = wear::polar_columns / 2;
-    Eigen::MatrixXd turned(load.values[m].rows(), wear::polar_columns);
-    turned << load.values[m].rightCols(half), load.values[m].leftCols(half);
-    const Eigen::MatrixXd by_angle = turned.transpose();
-    maps[measure == index_of(Measure::samples) ? "contacts" : std::string(measure_names[measure])] =
-        json_of_map(by_angle.data(), static_cast<std::size_t>(by_angle.size()), scales[m],
-                    std::string(measure_units[measure]));
+    const auto measure = wear::polar_measures[m];
+    const Eigen::MatrixXd shown = over_mean(load.values[m]);
+    maps[measure == Measure::samples ? "contacts" : std::string(measure_names[index_of(measure)])] =
+        json_of_map(shown.data(), static_cast<std::size_t>(shown.size()), scales[m],
+                    "times the mean");
   }
   return {{"angles", wear::polar_columns}, {"maps", maps}};
 }
 
 std::vector<Scale> polar_scales(const std::vector<PolarLoadOfCycle>& loads) {
   std::vector<Scale> scales;
-  for (std::size_t m = 0; m < wear::polar_measures.size(); ++m) {
-    std::vector<double> all;
-    for (const auto& load : loads)
-      all.insert(all.end(), load.load.values[m].reshaped().begin(),
-                 load.load.values[m].reshaped().end());
-    scales.push_back(scale_of(std::move(all), "J"));
-  }
+  for (std::size_t m = 0; m < wear::polar_measures.size(); ++m)
+    scales.push_back(polar_scale(loads, m));
   return scales;
 }
 
@@ -166,6 +190,7 @@ std::string charge_json(const CampaignResults& data, std::size_t most_frame_byte
               {"speed", data.charge.speed},
               {"locked_slip", wear::locked_slip},
               {"slice_length", data.charge.slice_length},
+              {"fastest", data.charge.fastest},
               {"cycles", cycles}}
       .dump(-1, ' ', false, Json::error_handler_t::replace);
 }

@@ -86,17 +86,18 @@ TEST_F(ChargeView, FindsTheIntervalOfATimeAndStaysInsideOfTheFrames) {
 }
 
 // The mill turns with 1 rad/s: at (-3, 0.15) the wall rises with 3 m/s. So does the first particle,
-// and along the axis it leaves the slice of 0.25 m at 0.24 and is back at 0.005: 0.15 m/s, less
-// than a twentieth of the plate's 3.9 m/s. The second stands still. The balls are equal, so half of
+// and along the axis it leaves the slice of 0.25 m at 0.24 and is back at 0.001: 0.11 m/s. Halfway
+// the wall also moves sideways, with 0.15 m/s: 0.19 m/s in all, less than a twentieth of the
+// plate's 3.9 m/s. The second stands still. The balls are equal, so half of
 // their mass moves with the mill.
 TEST_F(ChargeView, TellsWhatMovesWithTheMillAcrossTheEndOfTheSlice) {
   const auto movement = value_of(
       "movementOf({particles: 2, times: [0, 0.1], classes: [0, 0],"
-      "places: [-3, 0.24, 0, 0, 0.1, -3, -3, 0.005, 0.3, 0, 0.1, -3]})");
+      "places: [-3, 0.24, 0, 0, 0.1, -3, -3, 0.001, 0.3, 0, 0.1, -3]})");
   EXPECT_EQ(movement["withMill"].size(), 1u);
   EXPECT_EQ(movement["withMill"][0][0].get<std::string>(), "steel");
   EXPECT_NEAR(movement["withMill"][0][1].get<double>(), 0.5, 1e-12);
-  EXPECT_NEAR(movement["fast"].get<double>(), std::hypot(3.0, 0.15), 1e-6);
+  EXPECT_NEAR(movement["fast"].get<double>(), std::hypot(3.0, 0.11), 1e-6);
 }
 
 // A square of 4 x 3 with a notch of 1 x 1 that is narrower than what stands over it.

@@ -185,6 +185,21 @@ TEST_F(ReportPage, ReadsTheMapsOfTheCharge) {
             std::string::npos);
 }
 
+// 37.5 degrees behind six o'clock is the eighth column of the page, and the 44th from twelve
+// o'clock. 255 equal ratios from 0.1 to the most, some 16, are 2 % each.
+TEST_F(ReportPage, ReadsTheLoadAroundTheTurnOverItsMean) {
+  const auto campaign = synthetic_campaign(1, 1);
+  const auto page =
+      drawn(with_script(report_html(campaign),
+                        "const read = valuesOf(data.charge.cycles[0].around.maps.contacts);"
+                        "document.title = `value ${read[7 + 72 * 71]}, ${read[43 + 72 * 71]}`;"),
+            folder);
+  const Eigen::MatrixXd& contacts = campaign.polar.at(0).load.values[0];
+  const std::string found = part_between(page, "<title>value ", "</title>");
+  EXPECT_NEAR(std::stod(found.substr(13)) / (contacts(71, 43) / contacts.mean()), 1.0, 0.02);
+  EXPECT_EQ(found.substr(found.find(", ") + 2), "NaN") << "less than a tenth of the mean is there";
+}
+
 TEST_F(ReportPage, SaysWhichCycleHasNoRecordOfTheCharge) {
   auto campaign = synthetic_campaign(3, 2);
   campaign.charge.cycles.erase(campaign.charge.cycles.begin());

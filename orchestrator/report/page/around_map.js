@@ -19,7 +19,7 @@ function aroundAxes(svg, frame, x, y, load) {
     svg.append("line").attr({class: "mark corner", x1: frame.left, x2: frame.right, y1: y(corner), y2: y(corner)});
 }
 
-function tellAround(svg, frame, x, y, load, around, name, values, shown) {
+function tellAround(svg, frame, x, y, load, around, name, values, range, shown) {
   svg.append("rect").attr({class: "catch", x: frame.left, y: frame.top, width: frame.right - frame.left, height: frame.bottom - frame.top})
     .on("mousemove", function () {
       const [px, py] = d3.mouse(this);
@@ -27,7 +27,8 @@ function tellAround(svg, frame, x, y, load, around, name, values, shown) {
       const place = y.invert(py);
       const bin = Math.min(d3.bisectLeft(load.arc_length.map((s, i) => s + load.width[i] / 2), place), load.arc_length.length - 1);
       const value = values[Math.floor(degrees / 360 * around.angles) + around.angles * bin];
-      showTip(d3.event, value === value ? `${significant(3)(value * shown.factor)} ${shown.unit}` : "no contact here",
+      const words = (number) => `${significant(3)(number * shown.factor)} ${shown.unit}`;
+      showTip(d3.event, value === value ? words(value) : "less than " + words(range.low),
         [["measure", aroundMeasures[name]], ["angle", aroundText(270 + degrees)],
           ["along the profile", lengthText(place, 0)]]);
       loadView.place(load.arc_length[bin]);
@@ -56,5 +57,5 @@ function drawAround(place, width) {
   });
   aroundAxes(svg, frame, x, y, load);
   colourBar(svg, {left: frame.left, right: frame.right - 20, top: frame.bottom + 60}, range, shown);
-  tellAround(svg, frame, x, y, load, around, name, values, shown);
+  tellAround(svg, frame, x, y, load, around, name, values, range, shown);
 }

@@ -1,16 +1,15 @@
-/** A map of the page's data is {low, high, unit, values: base64}: a byte a cell, 0 where no particle was, 1 to 255 from
- *  low to high. */
+/** A map of the page's data is {low, high, log, unit, values: base64}: a byte a cell, 0 where no particle was, 1 to 255
+ *  from low to high, in equal steps or, with log, in equal ratios. */
 const readMaps = new WeakMap();
 
-function readMap({low, high, values}) {
-  const bytes = atob(values);
-  const step = (high - low) / 254;
-  const read = new Float32Array(bytes.length);
-  for (let cell = 0; cell < read.length; ++cell) {
-    const byte = bytes.charCodeAt(cell);
-    read[cell] = byte ? low + step * (byte - 1) : NaN;
-  }
-  return read;
+/** The d3 scale from a range's values to 0 ... 1. */
+const scaleOf = ({low, high, log}) => (log ? d3.scale.log() : d3.scale.linear()).domain([low, high]).clamp(true);
+
+function readMap(map) {
+  const bytes = atob(map.values);
+  const scale = scaleOf(map);
+  const values = d3.range(255).map((step) => scale.invert(step / 254));
+  return Float32Array.from(bytes, (byte) => byte.charCodeAt(0) ? values[byte.charCodeAt(0) - 1] : NaN);
 }
 
 /** The values of a map, NaN where no particle was. */
@@ -26,7 +25,6 @@ function shownUnit(unit, largest) {
     const scale = prefixed([largest], unit);
     return {factor: 1 / scale.factor, unit: scale.unit.replace("m2", "m²").replace("m3", "m³")};
   }
-  if (unit === "1") return {factor: 1, unit: "counts"};
   return {factor: 1, unit: unit.replace("m2", "m²").replace("s2", "s²")};
 }
 
@@ -39,7 +37,8 @@ const mapPixels = Uint32Array.from(d3.range(256), (i) => {
 });
 
 /** A canvas with a pixel a cell, `columns` of them in a row; rows are from the bottom up. */
-function pixelCanvas(values, columns, {low, high}) {
+function pixelCanvas(values, columns, range) {
+  const scale = scaleOf(range);
   const rows = values.length / columns;
   const image = new ImageData(columns, rows);
   const pixels = new Uint32Array(image.data.buffer);
@@ -47,7 +46,7 @@ function pixelCanvas(values, columns, {low, high}) {
     for (let column = 0; column < columns; ++column) {
       const value = values[column + columns * row];
       if (value === value)
-        pixels[column + columns * (rows - 1 - row)] = mapPixels[Math.max(0, Math.min(255, Math.round(255 * (value - low) / (high - low))))];
+        pixels[column + columns * (rows - 1 - row)] = mapPixels[Math.round(255 * scale(value))];
     }
   const drawn = element("canvas", {width: columns, height: rows});
   drawn.getContext("2d").putImageData(image, 0, 0);
@@ -72,9 +71,10 @@ function colourBar(svg, {left, right, top}, range, shown) {
   const step = (right - left) / steps;
   svg.append("g").selectAll("rect").data(d3.range(steps)).enter().append("rect")
     .attr({x: (i) => left + step * i, y: top, width: step + 0.5, height: 10}).style("fill", (i) => mapColours((i + 0.5) / steps));
-  const scale = d3.scale.linear().domain([range.low * shown.factor, range.high * shown.factor]).range([left, right]);
-  const ticks = scale.ticks(Math.max(2, Math.floor((right - left) / 80)));
-  const text = scale.tickFormat(ticks.length);
+  const scale = scaleOf({...range, low: range.low * shown.factor, high: range.high * shown.factor}).range([left, right]);
+  const count = Math.max(2, Math.floor((right - left) / 80));
+  const ticks = range.log ? decades(scale.domain(), count) : scale.ticks(count);
+  const text = range.log ? powerText : scale.tickFormat(ticks.length);
   for (const tick of ticks)
     svg.append("text").attr({x: scale(tick), y: top + 24, "text-anchor": "middle"}).text(text(tick).replace("-", "−"));
   svg.append("text").attr({class: "label", x: left, y: top - 6}).text(shown.unit);

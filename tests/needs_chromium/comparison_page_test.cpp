@@ -23,7 +23,9 @@ class ComparisonPage : public ::testing::Test {
   void TearDown() override { std::filesystem::remove_all(folder); }
 
   static ComparedCampaign compared(const std::string& name, CampaignResults data) {
-    return {name, {example_case(), {"nowhere"}, 1}, std::move(data), {}};
+    const Case mill = example_case();
+    data.charge.slice_length = mill.slice_length;
+    return {name, {mill, {"nowhere"}, 1}, std::move(data), {}};
   }
 
   /// A worn-out campaign of three cycles, and one of two that is not worn out, without charge.
@@ -76,15 +78,15 @@ TEST_F(ComparisonPage, ShowsTheFiguresOfEveryCampaign) {
 TEST_F(ComparisonPage, DrawsALineForEachCampaign) {
   const auto page = page_of(new_and_unfinished());
   for (const char* chart : {"height", "life", "steel", "power", "shoulder", "toe", "hits"}) {
-    const auto svg = part_between(page, std::string("id=\"") + chart + "-chart\"", "</svg>");
+    const auto svg = part_between(page, std::string("id=\"") + chart + "-chart\"", "</figure>");
     EXPECT_EQ(count_of(svg, "class=\"series"), 2u) << chart;
     EXPECT_EQ(count_of(svg, "class=\"now\""), 2u) << chart;
   }
-  EXPECT_EQ(count_of(part_between(page, "id=\"profiles-drawing\"", "</svg>"), "class=\"profile"),
+  EXPECT_EQ(count_of(part_between(page, "id=\"profiles-drawing\"", "</figure>"), "class=\"profile"),
             4u);
-  EXPECT_EQ(count_of(part_between(page, "id=\"depth-rate-chart\"", "</svg>"), "class=\"series"),
+  EXPECT_EQ(count_of(part_between(page, "id=\"depth-rate-chart\"", "</figure>"), "class=\"series"),
             1u);
-  EXPECT_NE(part_between(page, "id=\"section-map-0\"", "</svg>").find("cycle 0"),
+  EXPECT_NE(part_between(page, "id=\"section-map-0\"", "</figure>").find("cycle 0"),
             std::string::npos);
   EXPECT_NE(part_between(page, "id=\"section-map-1\"", "</figure>").find("not recorded"),
             std::string::npos);

@@ -20,6 +20,7 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
+using ::testing::Pointwise;
 
 const PageLibraries no_drawing{.d3 = {.script = "/* d3 */", .licence = "licence <of> d3"},
                                .pako = {.script = "/* pako */", .licence = "licence of pako"}};

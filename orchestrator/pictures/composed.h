@@ -30,7 +30,7 @@ struct ChargePicture {
 
 /// Which pixels of a rendered image make one of each picture.
 inline constexpr int png_shrinks = 2;
-inline constexpr int jpeg_shrinks = 4;
+inline constexpr int jpeg_shrinks = 3;
 
 /// Draws `over` an image that fills a window in both pictures, and `beside` it in the PNG.
 [[nodiscard]] ChargePicture composed(const Image& image, const PictureWindow& window,

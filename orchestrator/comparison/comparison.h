@@ -7,8 +7,8 @@
 
 namespace millwear::orchestrator {
 
-/// The answer of one campaign. NaN where a figure is not known. What is said of the charge is of the
-/// first load, by metre of the mill's length where the length matters: slices may differ.
+/// The answer of one campaign. NaN where a figure is not known. What is said of the charge is of
+/// the first load, by metre of the mill's length where the length matters: slices may differ.
 struct ComparedFigures {
   bool worn_out;
   double life_hours;  ///< hours so far where it is not worn out

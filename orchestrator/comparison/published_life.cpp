@@ -23,8 +23,8 @@ double number_in(const nlohmann::json& summary, const char* key) {
 }  // namespace
 
 Life life_without_cycles(const Case& mill) {
-  return {false, 0.0, nan, nan, nan,
-          fmt::format("lifter height {:g} mm", 1e3 * mill.campaign.height_limit)};
+  return {false, 0.0, nan,
+          nan,   nan, fmt::format("lifter height {:g} mm", 1e3 * mill.campaign.height_limit)};
 }
 
 Life published_life(const std::filesystem::path& tables, const std::vector<HistoryRow>& history,
@@ -40,8 +40,8 @@ Life published_life(const std::filesystem::path& tables, const std::vector<Histo
             number_in(summary, "life_hours_low"),   number_in(summary, "life_hours_high"),
             number_in(summary, "life_tonnes"),      summary.at("limit").get<std::string>()};
   } catch (const nlohmann::json::exception& problem) {
-    throw ResultRejected(fmt::format("{}: {}; `millwear report` writes it again", file.string(),
-                                     problem.what()));
+    throw ResultRejected(
+        fmt::format("{}: {}; `millwear report` writes it again", file.string(), problem.what()));
   }
 }
 

@@ -78,7 +78,8 @@ class ComparedCampaigns : public testing::Test {
         row.power = 600.0;
         row.shoulder = 0.5;
         history.push_back(row);
-        profiles.push_back({cycle, step, row.operating_hours, mill.liner.nodes, {}});
+        profiles.push_back({cycle, step, row.operating_hours, mill.liner.nodes,
+                            std::vector<double>(mill.liner.nodes.size(), 0.0)});
       }
     put_text(root / "history.csv", history_csv(history));
     put_text(root / "profiles.csv", profiles_csv(profiles));

@@ -11,11 +11,11 @@ namespace millwear::orchestrator {
 /// What `millwear compare` is told.
 struct CompareOptions {
   CommonOptions common;
-  std::vector<std::filesystem::path> campaigns;  ///< two or more folders, in place of the case
-  std::optional<std::filesystem::path> page;     ///< to be written of them
-  std::vector<std::filesystem::path> outs;               ///< none: runs/NAME; two or more: repeats
-  std::optional<std::filesystem::path> csv;              ///< to be written
-  std::optional<std::filesystem::path> readings;         ///< folder of the gauge readings
+  std::vector<std::filesystem::path> campaigns;   ///< two or more folders, in place of the case
+  std::optional<std::filesystem::path> page;      ///< to be written of them
+  std::vector<std::filesystem::path> outs;        ///< none: runs/NAME; two or more: repeats
+  std::optional<std::filesystem::path> csv;       ///< to be written
+  std::optional<std::filesystem::path> readings;  ///< folder of the gauge readings
   std::vector<std::filesystem::path> compared_profiles;  ///< none, or two
   std::optional<double> calibrate_until;  ///< instead of the case's [h]; 0 for not at all
   std::optional<GaugeOn> gauge_on;

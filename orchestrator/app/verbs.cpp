@@ -77,7 +77,8 @@ constexpr std::array table{
          "  millwear import my_mill.toml drawing.dxf --hours 5448 --layer LINER --error-mm 0.5\n"
          "  millwear import my_mill.toml --hours 6312 --height-mm 56",
          prepare<ImportOptions, import_verb>},
-    Verb{"compare", "Compare a campaign with gauge readings, two profiles, or campaigns side by side",
+    Verb{"compare",
+         "Compare a campaign with gauge readings, two profiles, or campaigns side by side",
          "  millwear compare my_mill.toml\n"
          "  millwear compare my_mill.toml --out runs/try --csv comparison.csv\n"
          "  millwear compare my_mill.toml --calibrate-until 5112 --plot calibrated.png\n"

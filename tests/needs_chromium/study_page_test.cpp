@@ -31,7 +31,7 @@ class StudyPage : public testing::Test {
       states.push_back(
           {i + 1 < plan.campaigns.size() ? CampaignState::done : CampaignState::failed, ""});
     }
-    put_text(folders.front() / "report.html", "");
+    for (const std::size_t reported : {0, 4}) put_text(folders[reported] / "report.html", "");
     page = drawn(study_html(study_results(plan, folders, states), installed_d3()),
                  folder.path() / "page");
   }
@@ -67,6 +67,11 @@ TEST_F(StudyPage, NamesTheBestPointAndListsAll) {
   EXPECT_NE(page.find("points/0/report.html"), std::string::npos);
   EXPECT_EQ(page.find("points/2/report.html"), std::string::npos)
       << "a link to a report that is not there";
+}
+
+// Point 3 is the best; of point 2 no campaign has a report.
+TEST_F(StudyPage, ShowsHowToCompareTheBestPoints) {
+  EXPECT_NE(page.find("<code>millwear compare points/4 points/0</code>"), std::string::npos);
 }
 
 TEST_F(StudyPage, DrawsEffectsCoursesAndProfiles) {

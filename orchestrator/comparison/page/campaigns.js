@@ -1,4 +1,5 @@
-/** The campaigns side by side: {name, figures, missing, report, data}, the last as the campaign's own report has it. */
+/** The campaigns side by side: {name, report, missing, data, and the figures by their names}, data as the campaign's own
+ *  report has it. */
 const campaigns = data.campaigns;
 const coloursOnLight = ["#16365c", "#c2501f", "#2c8a93", "#b07c14", "#6a4c93", "#6f7d1f", "#c2185b", "#5c6670"];
 const coloursOnDark = ["#8db8e8", "#f08a5d", "#4fc3cb", "#e5b550", "#b79ce0", "#b8c95a", "#f06a9b", "#a3adb6"];

@@ -88,7 +88,7 @@ void SizeGrids::for_each_row(const Grid& grid, const Place& low, const Place& hi
     const double begin = low[axis] - far[axis];
     const double end = high[axis] + far[axis];
     const double grid_end = grid.origin[axis] + grid.cells[axis] * grid.cell;
-    if (end < grid.origin[axis] || begin > grid_end) return;
+    if (end < begin || end < grid.origin[axis] || begin > grid_end) return;
     from[axis] = cell_at(begin, grid.origin[axis], grid.cell, grid.cells[axis]);
     to[axis] = cell_at(end, grid.origin[axis], grid.cell, grid.cells[axis]);
   }

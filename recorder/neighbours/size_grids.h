@@ -33,7 +33,8 @@ class SizeGrids {
   void add_later_neighbours(int sphere, std::vector<int>& neighbours) const;
 
   /// Appends every sphere whose centre lies within `growth` times r stretch + skin of the box from
-  /// `low` to `high`, axis by axis, and some that do not, in no order to rely on.
+  /// `low` to `high`, axis by axis, and some that do not, in no order to rely on. Where `low` is
+  /// above `high` by more than both ends reach, there are none.
   void add_spheres_near(const Place& low, const Place& high, const Place& growth,
                         std::vector<int>& spheres) const;
 

@@ -1,6 +1,6 @@
 #!/bin/sh
 # What recording costs: the seed mill as printed (26,765 particles), the same deck by turns run
-# alone, recorded, and recorded with a row a collision, all by the same program. Prints each
+# alone, recorded, recorded with a row a collision, and with the charge, all by the same program. Prints each
 # round and ends with the ratios of the run times and the seconds that writing the results takes.
 #   scripts/bench/recorder.sh [rounds] [steps] [ranks]      idle machine, a core a rank
 set -eu
@@ -30,13 +30,14 @@ timed() {
   echo "$(loop_seconds "$work/cycle_000/dem/log") $(echo "$end $start" | awk '{ print $1 - $2 }')"
 }
 
-echo "round: seconds of $steps steps plain, recorded, with events; load $(cut -d' ' -f1 /proc/loadavg)"
+echo "round: seconds of $steps steps plain, recorded, with events, with charge; load $(cut -d' ' -f1 /proc/loadavg)"
 for round in $(seq "$rounds"); do
   plain=$(timed "$recorder" run --in deck.in.short)
   recorded=$(timed $record)
   events=$(timed $record --events events.h5)
-  echo "$round $plain $recorded $events" | tee -a "$work/times" |
-    awk '{ printf "%d: %.2f  %.2f  %.2f\n", $1, $2, $4, $6 }'
+  charge=$(timed $record --charge charge.h5)
+  echo "$round $plain $recorded $events $charge" | tee -a "$work/times" |
+    awk '{ printf "%d: %.2f  %.2f  %.2f  %.2f\n", $1, $2, $4, $6, $8 }'
 done
 
 # median of a column of ratios, and the middle half of them
@@ -46,7 +47,10 @@ middle() {
 }
 printf 'recorded / plain     '; awk '{ print $4 / $2 }' "$work/times" | middle
 printf 'with events / plain  '; awk '{ print $6 / $2 }' "$work/times" | middle
+printf 'with charge / recorded'; awk '{ print $8 / $4 }' "$work/times" | middle
 printf 'seconds to write the load, once a stretch    '
 awk '{ print ($5 - $4) - ($3 - $2) }' "$work/times" | middle
 printf '... and the events                           '
 awk '{ print ($7 - $6) - ($3 - $2) }' "$work/times" | middle
+printf '... and the charge                           '
+awk '{ print ($9 - $8) - ($5 - $4) }' "$work/times" | middle

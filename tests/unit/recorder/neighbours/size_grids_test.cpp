@@ -108,6 +108,18 @@ TEST(SizeGrids, FindWhatComesNearABox) {
   EXPECT_THAT(spheres, UnorderedElementsAre(0, 1));
 }
 
+// Of a triangle outside of a rank's part LIGGGHTS clips the box until its lower end is above its
+// upper one. By more than they reach there is nothing near it.
+TEST(SizeGrids, FindNothingNearABoxThatIsClippedAway) {
+  Charge charge;
+  for (int i = 0; i < 40; ++i) charge.add({1.0 * i, 0, 0}, 0.4);
+  std::vector<int> spheres;
+  const SizeGrids grids(charge.spheres(), {0.1});
+  for (const double low : {22.0, 23.0, 27.0, 33.0})
+    grids.add_spheres_near({low, -1, -1}, {20, 1, 1}, {1, 1, 1}, spheres);
+  EXPECT_THAT(spheres, IsEmpty());
+}
+
 TEST(SizeGrids, MissNothingThatComesNearABox) {
   Charge charge = random_charge(2500, 11);
   constexpr Place low = {0.4, 0.0, -0.5};

@@ -109,6 +109,7 @@ library HDF5 "hdf5\.h|H5" $(echo wear/hdf5/*.cpp) wear/record/load_write.cpp wea
 library Clipper "polyclipping/|clipper" wear/evolve/steel_cut.cpp wear/gauge/area_between.cpp
 library toml++ "toml" mill/case_keys/case_document.cpp
 library dlib "dlib/" orchestrator/study/design_search.cpp
+library zlib "zlib\.h" orchestrator/report/deflate.cpp
 library cereal "cereal/" orchestrator/loads/kept_value.h
 library CLI11 "CLI/" orchestrator/app/command_line.cpp orchestrator/app/common_options.cpp \
   orchestrator/app/slurm_options.cpp \

@@ -52,11 +52,14 @@ std::string title_of(const Comparison& comparison) {
 
 }  // namespace
 
-std::string comparison_html(const Comparison& comparison, const fs::path& page, const D3& d3) {
+std::string comparison_html(const Comparison& comparison, const fs::path& page,
+                            const PageLibraries& libraries) {
   return filled_template(comparison_page_html, {{"title", html_text(title_of(comparison))},
                                                 {"style", std::string(comparison_page_style)},
-                                                {"d3", d3.script},
-                                                {"d3_licence", html_text(d3.licence)},
+                                                {"d3", libraries.d3.script},
+                                                {"d3_licence", html_text(libraries.d3.licence)},
+                                                {"pako", libraries.pako.script},
+                                                {"pako_licence", html_text(libraries.pako.licence)},
                                                 {"script", std::string(comparison_page_script)},
                                                 {"data", page_json(comparison, page)}});
 }

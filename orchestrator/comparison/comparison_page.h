@@ -3,14 +3,14 @@
 #include <string>
 
 #include "orchestrator/comparison/comparison.h"
-#include "orchestrator/report/d3.h"
+#include "orchestrator/report/script_library.h"
 
 namespace millwear::orchestrator {
 
 /// A page that shows campaigns side by side and needs nothing but a browser. It will lie at `page`;
 /// it links to the reports that lie below the same folder.
-[[nodiscard]] std::string comparison_html(const Comparison& comparison,
-                                          const std::filesystem::path& page,
-                                          const D3& d3 = installed_d3());
+[[nodiscard]] std::string comparison_html(
+    const Comparison& comparison, const std::filesystem::path& page,
+    const PageLibraries& libraries = installed_page_libraries());
 
 }  // namespace millwear::orchestrator

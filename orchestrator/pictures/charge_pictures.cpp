@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <deque>
 #include <filesystem>
+#include <span>
 #include <string_view>
 
 #include "mill/base/failure.h"
@@ -16,6 +18,7 @@
 #include "orchestrator/pictures/polar_picture.h"
 #include "orchestrator/process/child_process.h"
 #include "orchestrator/process/on_all_cores.h"
+#include "orchestrator/process/usable_cores.h"
 
 namespace millwear::orchestrator {
 namespace {
@@ -102,24 +105,44 @@ CycleWork work_of(const Campaign& campaign, const Ledger& ledger, bool chosen,
   return work;
 }
 
-/// Reads first and draws then: HDF5 serves one thread only.
-void draw(const Campaign& campaign, const ShownCharge& charge, CycleWork& work) {
-  if (work.missing.empty()) return;
-  const int number = work.cycle.cycle;
-  const ShownCharge whole = charge_of_cycles(campaign, {number});
-  if (!whole.cycles.front().frames) return;
-  const CycleLoad load = load_of_cycle(campaign, number);
-  const PictureSource source{charge, whole.cycles.front(), load};
-  std::vector<std::string> jpegs(work.missing.size());
-  for_each_on_all_cores(work.missing.size(), [&](std::size_t i) {
-    const PictureKind& kind = *work.missing[i];
-    ChargePicture picture = kind.draw(source);
-    if (!picture.png.empty()) publish(png_file(campaign, number, kind.name), picture.png);
-    keep(jpeg_file(campaign, number, kind.name), work.key, picture.jpeg);
-    jpegs[i] = std::move(picture.jpeg);
-  });
-  for (std::size_t i = 0; i < jpegs.size(); ++i)
-    if (!jpegs[i].empty()) work.cycle.pictures[std::string(work.missing[i]->name)] = jpegs[i];
+/// What a cycle's missing pictures are drawn from.
+struct CycleRecord {
+  CycleWork& work;
+  ShownCharge charge;
+  CycleLoad load;
+};
+
+/// A picture that is missing, and where its JPEG goes.
+struct MissingPicture {
+  const CycleRecord& record;
+  const PictureKind& kind;
+  std::string jpeg{};
+};
+
+void draw(const Campaign& campaign, MissingPicture& missing) {
+  const auto& [work, charge, load] = missing.record;
+  const int cycle = work.cycle.cycle;
+  ChargePicture picture = missing.kind.draw({charge, charge.cycles.front(), load});
+  if (!picture.png.empty()) publish(png_file(campaign, cycle, missing.kind.name), picture.png);
+  keep(jpeg_file(campaign, cycle, missing.kind.name), work.key, picture.jpeg);
+  missing.jpeg = std::move(picture.jpeg);
+}
+
+/// Reads the cycles first and draws all of their pictures then: HDF5 serves one thread only.
+void draw(const Campaign& campaign, std::span<CycleWork*> works) {
+  std::deque<CycleRecord> records;
+  std::deque<MissingPicture> missing;
+  for (CycleWork* work : works) {
+    const int cycle = work->cycle.cycle;
+    const auto& record = records.emplace_back(
+        CycleRecord{*work, charge_of_cycles(campaign, {cycle}), load_of_cycle(campaign, cycle)});
+    if (!record.charge.cycles.front().frames) continue;
+    for (const PictureKind* kind : work->missing) missing.push_back(MissingPicture{record, *kind});
+  }
+  for_each_on_all_cores(missing.size(), [&](std::size_t i) { draw(campaign, missing[i]); });
+  for (MissingPicture& one : missing)
+    if (!one.jpeg.empty())
+      one.record.work.cycle.pictures[std::string(one.kind.name)] = std::move(one.jpeg);
 }
 
 std::vector<CycleWork> works_of(const Campaign& campaign, const Ledger& ledger,
@@ -141,11 +164,16 @@ void check_renderers() {
 bool draw_charge_pictures(const Campaign& campaign, const Ledger& ledger,
                           const std::set<int>& chosen, ShownCharge& charge) {
   auto works = works_of(campaign, ledger, chosen, charge);
-  const auto complete = [](const CycleWork& work) { return work.missing.empty(); };
-  if (std::ranges::all_of(works, complete)) return false;
+  std::vector<CycleWork*> incomplete;
+  for (CycleWork& work : works)
+    if (!work.missing.empty()) incomplete.push_back(&work);
+  if (incomplete.empty()) return false;
   check_renderers();
   fs::create_directories(campaign.folder.results() / "pictures");
-  for (CycleWork& work : works) draw(campaign, charge, work);
+  // A few cycles at once keep all cores busy, and memory constant in the length of a campaign.
+  const auto at_once = static_cast<std::size_t>(2 * usable_cores());
+  for (std::size_t i = 0; i < incomplete.size(); i += at_once)
+    draw(campaign, std::span(incomplete).subspan(i, std::min(at_once, incomplete.size() - i)));
   return true;
 }
 

@@ -64,7 +64,7 @@ ChargePicture with_steel(const ChargeAtInstant& charge, const PictureWindow& win
 
 ChargePicture section_picture(const ChargeAtInstant& charge) {
   const Vector2d corner = Vector2d::Constant(1.01 * shell_radius(charge));
-  return with_steel(charge, {-corner, corner}, {1800, 1800});
+  return with_steel(charge, {-corner, corner}, {1440, 1440});
 }
 
 ChargePicture close_up_picture(const ChargeAtInstant& charge) {
@@ -75,11 +75,11 @@ ChargePicture close_up_picture(const ChargeAtInstant& charge) {
       std::clamp(pitches * charge.liner.sector.pitch() * radius, 0.25 * radius, radius);
   const Vector2d middle = -(radius - 0.45 * side) * Vector2d(std::sin(angle), std::cos(angle));
   const Vector2d half = Vector2d::Constant(0.5 * side);
-  return with_steel(charge, {middle - half, middle + half}, {1500, 1500});
+  return with_steel(charge, {middle - half, middle + half}, {1260, 1260});
 }
 
 ChargePicture slice_picture(const ChargeAtInstant& charge) {
-  const PictureSize size{1980, 1650};
+  const PictureSize size{1680, 1410};
   const double radius = shell_radius(charge);
   const double length = charge.frames.along.high - charge.frames.along.low;
   const Vector3d eye = radius * Vector3d(1.6, -4.2, 1.0);

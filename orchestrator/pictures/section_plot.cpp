@@ -13,7 +13,7 @@ namespace millwear::orchestrator {
 namespace {
 
 constexpr int panel_height = 540;    // px
-constexpr int jpeg_side = 600;       // px
+constexpr int jpeg_side = 480;       // px
 constexpr double least_span = 1e-6;  // of a scale: gnuplot draws no empty one
 
 std::string panel_settings() {

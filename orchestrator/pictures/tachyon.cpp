@@ -86,7 +86,7 @@ Image rendered(const Scene& scene, const PictureSize& size) {
   ChildProcess tachyon(
       {program_on_path("tachyon", "tachyon-bin-nox").string(), model.path().string(), "-numthreads",
        "1", "-format", "PPM", "-o", picture.path().string(), "-auto_skylight", "0.5",
-       "-skylight_samples", "4"},
+       "-skylight_samples", "3"},
       std::filesystem::current_path(),
       ChildFiles{nothing.descriptor(), messages.descriptor(), messages.descriptor()});
   if (const int code = tachyon.wait(); code != 0)

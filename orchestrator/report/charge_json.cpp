@@ -9,6 +9,7 @@
 
 #include "mill/base/number_or_null.h"
 #include "orchestrator/report/base64.h"
+#include "orchestrator/report/deflate.h"
 #include "orchestrator/report/page_frames.h"
 #include "wear/record/charge_motion.h"
 
@@ -18,13 +19,14 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t every_frame = 2;
-constexpr double outermost_share = 0.002;            // of the values, beyond the scale's ends
+constexpr double outermost_share = 0.002;  // of the values, beyond the scale's ends
 
+/// Numbers as zlib packs their bytes, as text.
 template <class Integer>
-std::string base64_of(const std::vector<Integer>& values) {
+std::string packed(const std::vector<Integer>& values) {
   static_assert(std::endian::native == std::endian::little);
-  return base64(
-      {reinterpret_cast<const std::uint8_t*>(values.data()), values.size() * sizeof(Integer)});
+  return base64(deflated(
+      {reinterpret_cast<const std::uint8_t*>(values.data()), values.size() * sizeof(Integer)}));
 }
 
 enum class Steps { equal, equal_ratios };
@@ -72,7 +74,7 @@ Json json_of_map(const double* values, std::size_t count, const Scale& scale,
           {"high", scale.high},
           {"log", scale.steps == Steps::equal_ratios},
           {"unit", unit},
-          {"values", base64_of(steps)}};
+          {"values", packed(steps)}};
 }
 
 using Scales = std::map<std::string, Scale>;
@@ -111,9 +113,9 @@ Json json_of(const wear::ChargeFrames& frames, std::size_t most_bytes) {
           {"across", {frames.across.low, frames.across.high}},
           {"along", {frames.along.low, frames.along.high}},
           {"step", page.step},
-          {"classes", base64_of(page.classes)},
-          {"first", base64_of(page.first)},
-          {"moves", base64_of(page.moves)}};
+          {"classes", packed(page.classes)},
+          {"first", packed(page.first)},
+          {"changes", packed(page.changes)}};
 }
 
 /// A polar load over its mean, a column a bin, angles from six o'clock on.
@@ -167,7 +169,8 @@ std::string charge_json(const CampaignResults& data, std::size_t most_frame_byte
     const auto polar = std::ranges::find(data.polar, charge.cycle, &PolarLoadOfCycle::cycle);
     Json pictures = Json::object();
     for (const auto& [name, jpeg] : charge.pictures)
-      pictures[name] = "data:image/jpeg;base64," + base64_of(std::vector(jpeg.begin(), jpeg.end()));
+      pictures[name] = "data:image/jpeg;base64," +
+                       base64({reinterpret_cast<const std::uint8_t*>(jpeg.data()), jpeg.size()});
     Json liner = Json::array();
     for (const auto& node : charge.liner.nodes) liner.push_back(json_of(node));
     cycles.push_back(

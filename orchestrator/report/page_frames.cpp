@@ -57,9 +57,15 @@ void add_moves(const ChargeFrames& frames, const Kept& kept, std::size_t axis, s
   for (std::size_t f = 1; f < kept.frames.size(); ++f) {
     const double way = moved(frames, axis, there, place(frames, kept.frames[f], axis, particle));
     const double steps = std::clamp(std::round(way / page.step), -most_move, most_move);
-    page.moves[(axes * (f - 1) + axis) * count + column] = static_cast<std::int8_t>(steps);
+    page.changes[(axes * (f - 1) + axis) * count + column] = static_cast<std::int8_t>(steps);
     there += steps * page.step;
   }
+}
+
+/// Moves become what they change by from frame to frame.
+void to_changes(std::vector<std::int8_t>& moves, std::size_t row_size) {
+  for (std::size_t i = moves.size(); i-- > row_size;)
+    moves[i] = static_cast<std::int8_t>(moves[i] - moves[i - row_size]);
 }
 
 }  // namespace
@@ -76,7 +82,7 @@ PageFrames page_frames(const ChargeFrames& frames, std::size_t every, std::size_
                   .step = std::max(longest_move(frames, kept) / most_move, 1e-6),
                   .classes = {},
                   .first = {},
-                  .moves = std::vector<std::int8_t>(axes * (kept.frames.size() - 1) * count)};
+                  .changes = std::vector<std::int8_t>(axes * (kept.frames.size() - 1) * count)};
   for (const std::size_t f : kept.frames) {
     page.times.push_back(frames.times[f]);
     page.mill_angles.push_back(frames.mill_angles[f]);
@@ -88,6 +94,7 @@ PageFrames page_frames(const ChargeFrames& frames, std::size_t every, std::size_
       page.first.push_back(frames.places[in_first + kept.particles[column]]);
       add_moves(frames, kept, axis, column, page);
     }
+  to_changes(page.changes, axes * count);
   return page;
 }
 

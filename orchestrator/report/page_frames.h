@@ -7,9 +7,10 @@
 
 namespace millwear::orchestrator {
 
-/// Frames of a charge as a page holds them: places of the first frame in 16 bits, and how far each
-/// particle moves from frame to frame in 8. The moves add up without drift: each is the nearest to
-/// where the particle is from where the moves before have brought it. Along the axis, where the
+/// Frames of a charge as a page holds them: places of the first frame in 16 bits, how far each
+/// particle moves to the second in 8, and from then on how much its move changes (modulo 256):
+/// small numbers, which pack well. The moves add up without drift: each is the nearest to where the
+/// particle is from where the moves before have brought it. Along the axis, where the
 /// slice repeats itself, a particle moves the shorter way, so its place may leave `along`.
 struct PageFrames {
   std::size_t thinning;               ///< every so many-th particle is kept
@@ -18,7 +19,7 @@ struct PageFrames {
   double step;                        ///< that a move of 1 stands for [m]
   std::vector<std::uint8_t> classes;  ///< by particle
   std::vector<std::uint16_t> first;   ///< (x, y, z) x particles
-  std::vector<std::int8_t> moves;     ///< (frames - 1) x (x, y, z) x particles
+  std::vector<std::int8_t> changes;   ///< of moves, (frames - 1) x (x, y, z) x particles
 };
 
 /// Every `every`-th frame, and as many particles as `most_bytes` has room for.

@@ -8,8 +8,10 @@
 #include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 #include "mill/base/number_or_null.h"
 #include "orchestrator/report/charge_json.h"
@@ -64,23 +66,29 @@ Json json_of(const MeasuredCharge& charge) {
 
 // The long arrays of a campaign are written as text at once: a document of them costs more than all
 // the rest of a publication.
-void write(std::string& text, double number) {
+constexpr int shown_digits = 8;  // of numbers in an array
+
+void write(std::string& text, double number, std::optional<int> most_digits = {}) {
   if (!std::isfinite(number)) {
     text += "null";
     return;
   }
   std::array<char, 32> digits;
-  text.append(digits.data(),
-              std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
+  char* const end = digits.data() + digits.size();
+  text.append(
+      digits.data(),
+      most_digits
+          ? std::to_chars(digits.data(), end, number, std::chars_format::general, *most_digits).ptr
+          : std::to_chars(digits.data(), end, number).ptr);
 }
 
 void write(std::string& text, int number) { text += std::to_string(number); }
 
 void write(std::string& text, const Eigen::Vector2d& point) {
   text += '[';
-  write(text, point.x());
+  write(text, point.x(), shown_digits);
   text += ',';
-  write(text, point.y());
+  write(text, point.y(), shown_digits);
   text += ']';
 }
 
@@ -92,7 +100,10 @@ template <class T>
 void write(std::string& text, const std::vector<T>& items) {
   text += '[';
   for (const auto& item : items) {
-    write(text, item);
+    if constexpr (std::is_same_v<T, double>)
+      write(text, item, shown_digits);
+    else
+      write(text, item);
     text += ',';
   }
   if (!items.empty()) text.pop_back();

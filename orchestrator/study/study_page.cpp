@@ -127,7 +127,7 @@ Json coverage_json(const StudyResults& results) {
 
 }  // namespace
 
-std::string study_html(const StudyResults& results, const D3& d3) {
+std::string study_html(const StudyResults& results, const ScriptLibrary& d3) {
   Json document = study_document(results);
   document["courses"] = courses_json(results);
   document["coverage"] = coverage_json(results);

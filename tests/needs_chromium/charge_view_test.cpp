@@ -7,6 +7,8 @@
 #include <numbers>
 #include <string>
 
+#include "orchestrator/report/base64.h"
+#include "orchestrator/report/deflate.h"
 #include "orchestrator/report/report.h"
 #include "tests/needs_chromium/browser.h"
 #include "tests/support/synthetic_campaign.h"
@@ -22,8 +24,23 @@ constexpr auto charge = R"({"speed": 1, "locked_slip": 0.05, "slice_length": 0.2
   {"cycle": 1, "frames": null}, {"cycle": 2, "frames": FRAMES, "pictures": {}}]})";
 constexpr auto frames =
     R"({"particles": 2, "thinning": 3, "times": [5, 5.1], "mill_angles": [0, 0.1],
-  "across": [-4, 4], "along": [0, 0.25], "step": 0.01, "classes": "AAE=", "first": "AAD//wAA/////wAA",
-  "moves": "Af4D/IB/"})";
+  "across": [-4, 4], "along": [0, 0.25], "step": 0.01, "classes": "CLASSES", "first": "FIRST",
+  "changes": "CHANGES"})";
+
+std::string packed(const std::vector<std::uint8_t>& bytes) { return base64(deflated(bytes)); }
+
+std::string replaced(std::string text, const std::string& name, const std::string& value) {
+  for (auto at = text.find(name); at != std::string::npos; at = text.find(name))
+    text.replace(at, name.size(), value);
+  return text;
+}
+
+std::string charge_data() {
+  std::string data = replaced(charge, "FRAMES", frames);
+  data = replaced(data, "CLASSES", packed({0, 1}));
+  data = replaced(data, "FIRST", packed({0, 0, 255, 255, 0, 0, 255, 255, 255, 255, 0, 0}));
+  return replaced(data, "CHANGES", packed({1, 254, 3, 252, 128, 127}));
+}
 
 class ChargeView : public ::testing::Test {
  protected:
@@ -33,11 +50,8 @@ class ChargeView : public ::testing::Test {
   std::string page_after(const std::string& script) const {
     std::string page = report_html(synthetic_campaign(3, 2));
     const std::string end = "</body>";
-    std::string data = charge;
-    for (auto at = data.find("FRAMES"); at != std::string::npos; at = data.find("FRAMES"))
-      data.replace(at, 6, frames);
     page.replace(page.rfind(end), end.size(),
-                 "<script>data.charge = " + data + ";" + script + "</script></body>");
+                 "<script>data.charge = " + charge_data() + ";" + script + "</script></body>");
     return drawn(page, folder);
   }
 

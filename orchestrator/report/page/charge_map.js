@@ -1,4 +1,4 @@
-/** A map of the page's data is {low, high, log, unit, values: base64}: a byte a cell, 0 where no particle was, 1 to 255
+/** A map of the page's data is {low, high, log, unit, values: packed bytes}: a byte a cell, 0 where no particle was, 1 to 255
  *  from low to high, in equal steps or, with log, in equal ratios. */
 const readMaps = new WeakMap();
 
@@ -6,10 +6,9 @@ const readMaps = new WeakMap();
 const scaleOf = ({low, high, log}) => (log ? d3.scale.log() : d3.scale.linear()).domain([low, high]).clamp(true);
 
 function readMap(map) {
-  const bytes = atob(map.values);
   const scale = scaleOf(map);
   const values = d3.range(255).map((step) => scale.invert(step / 254));
-  return Float32Array.from(bytes, (byte) => byte.charCodeAt(0) ? values[byte.charCodeAt(0) - 1] : NaN);
+  return Float32Array.from(bytesOf(map.values), (byte) => byte ? values[byte - 1] : NaN);
 }
 
 /** The values of a map, NaN where no particle was. */

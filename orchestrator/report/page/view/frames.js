@@ -1,11 +1,3 @@
-/** The bytes that base64 text stands for. */
-function bytesOf(base64) {
-  const text = atob(base64);
-  const bytes = new Uint8Array(text.length);
-  for (let i = 0; i < text.length; i++) bytes[i] = text.charCodeAt(i);
-  return bytes;
-}
-
 /** Where the particles are at first: x, y, z of one after the other [m]. */
 function placeFirstFrame(frames, places) {
   const bytes = bytesOf(frames.first);
@@ -20,7 +12,9 @@ function placeFirstFrame(frames, places) {
 
 function placeLaterFrames(frames, places) {
   const row = 3 * frames.particles;
-  const moves = new Int8Array(bytesOf(frames.moves).buffer);
+  // They are kept as what they change by from frame to frame, modulo 256.
+  const moves = Int8Array.from(bytesOf(frames.changes));
+  for (let i = row; i < moves.length; i++) moves[i] += moves[i - row];
   for (let frame = 1; frame < frames.times.length; frame++)
     for (let axis = 0; axis < 3; axis++)
       for (let i = 0; i < frames.particles; i++) {

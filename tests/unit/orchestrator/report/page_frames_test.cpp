@@ -32,8 +32,11 @@ wear::ChargeFrames sample_frames() {
 double place(const PageFrames& page, const wear::FrameRange& range, std::size_t frame,
              std::size_t axis, std::size_t particle, std::size_t particles = count) {
   double at = range.unpacked(page.first[axis * particles + particle]);
-  for (std::size_t f = 0; f < frame; ++f)
-    at += page.step * page.moves[(3 * f + axis) * particles + particle];
+  std::int8_t move = 0;
+  for (std::size_t f = 0; f < frame; ++f) {
+    move = static_cast<std::int8_t>(move + page.changes[(3 * f + axis) * particles + particle]);
+    at += page.step * move;
+  }
   return at;
 }
 

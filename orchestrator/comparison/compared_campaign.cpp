@@ -22,8 +22,8 @@ namespace fs = std::filesystem;
 
 // So that a page of four campaigns stays below 12 MB.
 constexpr std::size_t most_loads = 12;
-constexpr std::size_t most_charges = 5;
-constexpr auto shown_picture = "section";
+constexpr std::size_t most_charges = 8;
+const std::set<std::string> shown_pictures{"section", "close_up"};
 
 CampaignResults results_without_cycles(const Case& mill) {
   CampaignResults data{};
@@ -77,15 +77,16 @@ std::vector<LoadAlongProfile> loads_of(const PublishedCampaign& published,
   return loads;
 }
 
-/// The charge, with frames and the picture of the first and the last cycle that recorded it.
+/// The charge, with frames and pictures of the first and the last cycle that recorded it.
 ShownCharge charge_of(const PublishedCampaign& published, const std::vector<int>& cycles) {
   ShownCharge charge = charge_of_cycles(published.campaign, cycles);
   if (published.ledger) add_kept_pictures(published.campaign, *published.ledger, charge);
   for (auto& one : charge.cycles) {
     const bool is_between = &one != &charge.cycles.front() && &one != &charge.cycles.back();
     if (is_between) one.frames.reset();
-    std::erase_if(one.pictures,
-                  [&](const auto& named) { return is_between || named.first != shown_picture; });
+    std::erase_if(one.pictures, [&](const auto& named) {
+      return is_between || !shown_pictures.contains(named.first);
+    });
   }
   return charge;
 }

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t frame_bytes_of_page = 2'000'000;  // before base64
+constexpr std::size_t frame_bytes_of_page = 4'000'000;  // before they are packed
 
 /// The report as it is reached from the page's folder; null where it lies elsewhere.
 Json link_to(const fs::path& report, const fs::path& page) {

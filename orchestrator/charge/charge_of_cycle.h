@@ -45,8 +45,8 @@ struct ShownCharge {
   std::vector<ShownClass> classes;
   double speed = 0.0;         ///< of the mill [rad/s]
   double slice_length = 0.0;  ///< [m]
-  /// At the end of the scale of pictures [m/s]: three quarters of the speed after a fall through the
-  /// mill, sqrt(2 g D), rounded. So the colours of all cycles mean the same.
+  /// At the end of the scale of pictures [m/s]: three quarters of the speed after a fall through
+  /// the mill, sqrt(2 g D), rounded. So the colours of all cycles mean the same.
   double fastest = 0.0;
   std::vector<ChargeOfCycle> cycles;
 };

@@ -28,8 +28,10 @@ void make_folder(const std::filesystem::path& folder) {
   std::error_code problem;
   std::filesystem::create_directories(folder, problem);
   if (problem)
-    throw DiskError(fmt::format("{}: no folder can be made here ({}); name another place",
-                                folder.string(), problem.message()));
+    throw DiskError(
+        fmt::format("{}: no folder can be made here ({}); give another folder, "
+                    "of a campaign with --out",
+                    folder.string(), problem.message()));
 }
 
 }  // namespace millwear

@@ -22,7 +22,7 @@ liggghts_inputs/outputs: mill liggghts_inputs/decks
 wear/numerics: mill/base mill/liner
 wear/hdf5: mill/base
 wear/record: mill wear/numerics wear/hdf5
-wear/charge: mill/base wear/hdf5
+wear/charge: mill/base mill/liner wear/numerics wear/hdf5
 wear/surface: mill wear/numerics wear/record
 wear/rate: mill wear/numerics wear/record wear/surface
 wear/evolve: mill wear/numerics wear/record wear/surface

@@ -10,6 +10,11 @@ double angle_from_six_oclock(double x, double z) {
   return angle == -std::numbers::pi ? std::numbers::pi : angle;
 }
 
+double from_three_oclock(double angle_from_six) {
+  using std::numbers::pi;
+  return std::fmod(angle_from_six + 1.5 * pi + 4.0 * pi, 2.0 * pi);
+}
+
 MasterPoint to_master_from_polar(const LinerSector& sector, double radius, double angle,
                                  double mill_angle) {
   const double turned_back = angle - mill_angle;

@@ -19,6 +19,10 @@ struct MasterPoint {
 /// pi].
 [[nodiscard]] double angle_from_six_oclock(double x, double z);
 
+/// The same angle as results give it [rad]: from three o'clock on the rising side along the
+/// rotation, 0 ... 2 pi.
+[[nodiscard]] double from_three_oclock(double angle_from_six);
+
 /// Turns (x, z) [m] back by the mill's angle [rad] and folds it into the sector of one lifter.
 [[nodiscard]] MasterPoint to_master(const LinerSector& sector, double x, double z,
                                     double mill_angle);

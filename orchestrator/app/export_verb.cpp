@@ -123,19 +123,19 @@ Json json_of(const ProfileRow& row, const std::vector<LinerFile>& files) {
 /// Of a cycle, or of the last that recorded its charge; returns which.
 int write_pictures(const PublishedCampaign& published, std::optional<int> cycle,
                    const fs::path& folder) {
-  std::optional<int> chosen = cycle;
-  for (int last = cycles_begun(published) - 1; !chosen && last >= 0; --last)
-    if (frames_of(published, last)) chosen = last;
-  if (!chosen || !frames_of(published, *chosen))
-    throw Failure(
-        ExitCode::usage,
-        fmt::format("{} has no dem/charge.h5 with frames of {}: the cycle is not measured yet, or "
-                    "by an earlier version; `millwear run` into another folder (--out) measures "
-                    "it again",
-                    published.campaign.folder.root.string(),
-                    chosen ? fmt::format("cycle {}", *chosen) : "any cycle"));
-  write_pictures_of_cycle(published.campaign, *published.ledger, *chosen, folder);
-  return *chosen;
+  for (int chosen = cycle.value_or(cycles_begun(published) - 1); chosen >= cycle.value_or(0);
+       --chosen)
+    if (frames_of(published, chosen)) {
+      write_pictures_of_cycle(published.campaign, *published.ledger, chosen, folder);
+      return chosen;
+    }
+  throw Failure(
+      ExitCode::usage,
+      fmt::format("{} has no dem/charge.h5 with frames of {}: the cycle is not measured yet, or "
+                  "by an earlier version; `millwear run` into another folder (--out) measures "
+                  "it again",
+                  published.campaign.folder.root.string(),
+                  cycle ? fmt::format("cycle {}", *cycle) : "any cycle"));
 }
 
 }  // namespace

@@ -25,17 +25,6 @@ constexpr std::size_t most_loads = 12;
 constexpr std::size_t most_charges = 8;
 const std::set<std::string> shown_pictures{"section", "close_up"};
 
-CampaignResults results_without_cycles(const Case& mill) {
-  CampaignResults data{};
-  data.case_name = mill.name;
-  data.life = life_without_cycles(mill);
-  data.sector = mill.liner.sector;
-  data.height_limit = mill.campaign.height_limit;
-  data.plate_limit = mill.campaign.plate_limit;
-  data.liner_density = mill.materials[mill.liner_material].density;
-  return data;
-}
-
 /// The liners that these cycles began with, and the last.
 std::vector<ProfileRow> profiles_of(const PublishedCampaign& published,
                                     const std::vector<int>& cycles) {
@@ -44,12 +33,7 @@ std::vector<ProfileRow> profiles_of(const PublishedCampaign& published,
     if (profiles.empty() || profiles.back().operating_hours < row.operating_hours)
       profiles.push_back({row.cycle, row.step, row.operating_hours, row.nodes, {}});
   };
-  for (const int cycle : cycles) {
-    const ProfileRow* before = &published.profiles.front();
-    for (const auto& row : published.profiles)
-      if (row.cycle < cycle) before = &row;
-    add(*before);
-  }
+  for (const int cycle : cycles) add(profile_before(published, cycle));
   add(published.profiles.back());
   return profiles;
 }
@@ -136,8 +120,7 @@ ComparedCampaign compared_campaign(const RunFolder& folder) {
                     "folders that `millwear run` has worked in",
                     folder.root.string()));
   const Case mill = read_case(folder.locked_case());
-  ComparedCampaign compared{
-      {}, {mill, folder, ledger->start.ranks}, results_without_cycles(mill), {}};
+  ComparedCampaign compared{{}, {mill, folder, ledger->start.ranks}, results_of_case(mill), {}};
   if (fs::exists(folder.results() / "history.csv") || fs::exists(folder.root / "history.csv"))
     add_cycles(folder, compared);
   if (compared.data.history.empty()) compared.missing = {"no cycle is published yet"};

@@ -5,8 +5,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "mill/base/text_template.h"
-#include "orchestrator/comparison/comparison_page_parts.h"
 #include "orchestrator/report/html_text.h"
 #include "orchestrator/report/report_json.h"
 
@@ -54,14 +52,7 @@ std::string title_of(const Comparison& comparison) {
 
 std::string comparison_html(const Comparison& comparison, const fs::path& page,
                             const PageLibraries& libraries) {
-  return filled_template(comparison_page_html, {{"title", html_text(title_of(comparison))},
-                                                {"style", std::string(comparison_page_style)},
-                                                {"d3", libraries.d3.script},
-                                                {"d3_licence", html_text(libraries.d3.licence)},
-                                                {"pako", libraries.pako.script},
-                                                {"pako_licence", html_text(libraries.pako.licence)},
-                                                {"script", std::string(comparison_page_script)},
-                                                {"data", page_json(comparison, page)}});
+  return filled_page(comparison_page, title_of(comparison), libraries, page_json(comparison, page));
 }
 
 }  // namespace millwear::orchestrator

@@ -22,11 +22,6 @@ double number_in(const nlohmann::json& summary, const char* key) {
 
 }  // namespace
 
-Life life_without_cycles(const Case& mill) {
-  return {false, 0.0, nan,
-          nan,   nan, fmt::format("lifter height {:g} mm", 1e3 * mill.campaign.height_limit)};
-}
-
 Life published_life(const std::filesystem::path& tables, const std::vector<HistoryRow>& history,
                     const Life& before) {
   const auto file = tables / "summary.json";

@@ -33,13 +33,11 @@ std::vector<float> vectors(const wear::ChargeFrames& frames, std::size_t first,
 
 std::vector<float> unpacked_places(const wear::ChargeFrames& frames, std::size_t frame,
                                    const Signs& signs) {
-  const std::array ranges{frames.across, frames.along, frames.across};
   std::vector<float> values;
-  for (std::size_t i = 0; i < frames.particles(); ++i)
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto packed = frames.places[(3 * frame + axis) * frames.particles() + i];
-      values.push_back(signs[axis] * static_cast<float>(ranges[axis].unpacked(packed)));
-    }
+  for (std::size_t i = 0; i < frames.particles(); ++i) {
+    const Eigen::Vector3f place = frames.place(frame, i).cast<float>();
+    for (std::size_t axis = 0; axis < 3; ++axis) values.push_back(signs[axis] * place[axis]);
+  }
   return values;
 }
 
@@ -59,8 +57,7 @@ VtkPolyData charge_particles(const wear::ChargeFrames& frames, std::size_t frame
     charge.vertices.add({static_cast<std::int32_t>(i)});
     numbers.push_back(static_cast<std::int32_t>(1 + i * frames.thinning));
     diameters.push_back(static_cast<float>(2.0 * frames.class_radius[frames.classes[i]]));
-    const auto packed = frames.speeds[frame * frames.particles() + i];
-    speeds.push_back(static_cast<float>(frames.speed.unpacked(packed)));
+    speeds.push_back(static_cast<float>(frames.speed_of(frame, i)));
   }
   charge.point_data = {{"diameter_m", 1, std::move(diameters)},
                        {"speed_m_per_s", 1, std::move(speeds)},

@@ -79,14 +79,19 @@ const ProfileRow& profile_after(const PublishedCampaign& published, std::optiona
 
 int cycles_begun(const PublishedCampaign& published) { return published.profiles.back().cycle + 2; }
 
-CycleStart start_of(const PublishedCampaign& published, int cycle) {
-  const auto& mill = published.campaign.mill;
+const ProfileRow& profile_before(const PublishedCampaign& published, int cycle) {
   const ProfileRow* before = &published.profiles.front();
   for (const auto& row : published.profiles)
     if (row.cycle < cycle) before = &row;
-  const double hours = before->operating_hours;
+  return *before;
+}
+
+CycleStart start_of(const PublishedCampaign& published, int cycle) {
+  const auto& mill = published.campaign.mill;
+  const ProfileRow& before = profile_before(published, cycle);
+  const double hours = before.operating_hours;
   return {hours,
-          {mill.liner.sector, before->nodes},
+          {mill.liner.sector, before.nodes},
           rotation_after(mill.campaign.reversal_times, hours * seconds_per_hour)};
 }
 

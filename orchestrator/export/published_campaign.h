@@ -32,6 +32,9 @@ struct PublishedCampaign {
 /// Cycles that begin with a liner that is known: those whose wear is done, and the next one.
 [[nodiscard]] int cycles_begun(const PublishedCampaign& published);
 
+/// The profile that a cycle begins with.
+[[nodiscard]] const ProfileRow& profile_before(const PublishedCampaign& published, int cycle);
+
 /// What a cycle begins with.
 struct CycleStart {
   double operating_hours;  ///< since the liner was new [h]

@@ -79,10 +79,14 @@ fs::path jpeg_file(const Campaign& campaign, int cycle, std::string_view name) {
   return kept_file(campaign.folder, cycle, fmt::format("picture_{}", name));
 }
 
+/// The hash of what a cycle's DEM published.
+const std::string& dem_output(const Ledger& ledger, int cycle, const char* file) {
+  return ledger.find({cycle, StageKind::dem})->outputs.at(file);
+}
+
 /// What the pictures of a cycle follow from: it changes with the program, too.
 std::string key_of(const Campaign& campaign, const Ledger& ledger, int cycle) {
-  const LedgerEntry* entry = ledger.find({cycle, StageKind::dem});
-  return kept_key(campaign.mill, entry->outputs.at(stage_files::charge));
+  return kept_key(campaign.mill, dem_output(ledger, cycle, stage_files::charge));
 }
 
 struct CycleWork {
@@ -129,13 +133,14 @@ void draw(const Campaign& campaign, MissingPicture& missing) {
 }
 
 /// Reads the cycles first and draws all of their pictures then: HDF5 serves one thread only.
-void draw(const Campaign& campaign, std::span<CycleWork*> works) {
+void draw(const Campaign& campaign, const Ledger& ledger, std::span<CycleWork*> works) {
   std::deque<CycleRecord> records;
   std::deque<MissingPicture> missing;
   for (CycleWork* work : works) {
     const int cycle = work->cycle.cycle;
     const auto& record = records.emplace_back(
-        CycleRecord{*work, charge_of_cycles(campaign, {cycle}), load_of_cycle(campaign, cycle)});
+        CycleRecord{*work, charge_of_cycles(campaign, {cycle}),
+                    load_of_cycle(campaign, cycle, dem_output(ledger, cycle, stage_files::load))});
     if (!record.charge.cycles.front().frames) continue;
     for (const PictureKind* kind : work->missing) missing.push_back(MissingPicture{record, *kind});
   }
@@ -173,7 +178,8 @@ bool draw_charge_pictures(const Campaign& campaign, const Ledger& ledger,
   // A few cycles at once keep all cores busy, and memory constant in the length of a campaign.
   const auto at_once = static_cast<std::size_t>(2 * usable_cores());
   for (std::size_t i = 0; i < incomplete.size(); i += at_once)
-    draw(campaign, std::span(incomplete).subspan(i, std::min(at_once, incomplete.size() - i)));
+    draw(campaign, ledger,
+         std::span(incomplete).subspan(i, std::min(at_once, incomplete.size() - i)));
   return true;
 }
 
@@ -190,8 +196,8 @@ void write_pictures_of_cycle(const Campaign& campaign, const Ledger& ledger, int
         fmt::format("cycle {} has no dem/charge.h5 with frames; --cycle chooses another", cycle));
   check_renderers();
   make_folder(folder);
-  const auto& load_hash = ledger.find({cycle, StageKind::dem})->outputs.at(stage_files::load);
-  const CycleLoad load = look_at_load_of_cycle(campaign, cycle, load_hash);
+  const CycleLoad load =
+      look_at_load_of_cycle(campaign, cycle, dem_output(ledger, cycle, stage_files::load));
   const PictureSource source{charge, charge.cycles.front(), load};
   const std::size_t frames = source.cycle.frames->frames();
   for_each_on_all_cores(kinds.size() + frames, [&](std::size_t i) {

@@ -50,25 +50,13 @@ std::vector<Sphere> spheres_of(const wear::ChargeFrames& frames, std::size_t fra
   std::vector<Sphere> spheres;
   for (std::size_t i = 0; i < frames.particles(); ++i) {
     const auto kind = frames.classes[i];
-    const double share = std::min(speed_in(frames, frame, i) / fastest, 1.0);
-    spheres.push_back({place_in(frames, frame, i), frames.class_radius[kind],
+    const double share = std::min(frames.speed_of(frame, i) / fastest, 1.0);
+    spheres.push_back({frames.place(frame, i), frames.class_radius[kind],
                        colouring == Colouring::size
                            ? classes[kind].colour
                            : ramp_colour(std::round(share * shades) / shades)});
   }
   return spheres;
-}
-
-Vector3d place_in(const wear::ChargeFrames& frames, std::size_t frame, std::size_t particle) {
-  const auto packed = [&](std::size_t axis) {
-    return frames.places[(3 * frame + axis) * frames.particles() + particle];
-  };
-  return {frames.across.unpacked(packed(0)), frames.along.unpacked(packed(1)),
-          frames.across.unpacked(packed(2))};
-}
-
-double speed_in(const wear::ChargeFrames& frames, std::size_t frame, std::size_t particle) {
-  return frames.speed.unpacked(frames.speeds[frame * frames.particles() + particle]);
 }
 
 }  // namespace millwear::orchestrator

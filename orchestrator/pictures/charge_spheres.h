@@ -20,12 +20,4 @@ enum class Colouring { speed, size };
                                              const std::vector<ColouredName>& classes,
                                              double fastest);
 
-/// Where a particle is in a frame [m], in the mill frame.
-[[nodiscard]] Eigen::Vector3d place_in(const wear::ChargeFrames& frames, std::size_t frame,
-                                       std::size_t particle);
-
-/// Its speed there [m/s].
-[[nodiscard]] double speed_in(const wear::ChargeFrames& frames, std::size_t frame,
-                              std::size_t particle);
-
 }  // namespace millwear::orchestrator

@@ -85,9 +85,9 @@ std::string track_block(const wear::ChargeFrames& frames) {
   std::string text = "$tracks << EOD\n";
   for (std::size_t i = 0; i < frames.particles(); i += every) {
     for (std::size_t f = 0; f < frames.frames(); ++f) {
-      const auto place = place_in(frames, f, i);
+      const auto place = frames.place(f, i);
       fmt::format_to(std::back_inserter(text), "{:.5g} {:.5g} {:.3g}\n", place.x(), place.z(),
-                     speed_in(frames, f, i));
+                     frames.speed_of(f, i));
     }
     text += "\n";
   }

@@ -13,13 +13,6 @@ constexpr std::size_t axes = 3;
 constexpr std::size_t along_axis = 1;
 constexpr double most_move = std::numeric_limits<std::int8_t>::max();
 
-/// Where a particle is in a frame, on one axis [m].
-double place(const ChargeFrames& frames, std::size_t frame, std::size_t axis,
-             std::size_t particle) {
-  const auto& range = axis == along_axis ? frames.along : frames.across;
-  return range.unpacked(frames.places[(axes * frame + axis) * frames.particles() + particle]);
-}
-
 double moved(const ChargeFrames& frames, std::size_t axis, double from, double to) {
   const double length = frames.along.high - frames.along.low;
   return axis == along_axis ? std::remainder(to - from, length) : to - from;
@@ -43,8 +36,8 @@ double longest_move(const ChargeFrames& frames, const Kept& kept) {
     for (std::size_t axis = 0; axis < axes; ++axis)
       for (const std::size_t i : kept.particles)
         longest = std::max(longest,
-                           std::abs(moved(frames, axis, place(frames, kept.frames[f - 1], axis, i),
-                                          place(frames, kept.frames[f], axis, i))));
+                           std::abs(moved(frames, axis, frames.place(kept.frames[f - 1], i)[axis],
+                                          frames.place(kept.frames[f], i)[axis])));
   return longest;
 }
 
@@ -53,9 +46,9 @@ void add_moves(const ChargeFrames& frames, const Kept& kept, std::size_t axis, s
                PageFrames& page) {
   const std::size_t count = kept.particles.size();
   const std::size_t particle = kept.particles[column];
-  double there = place(frames, kept.frames[0], axis, particle);
+  double there = frames.place(kept.frames[0], particle)[axis];
   for (std::size_t f = 1; f < kept.frames.size(); ++f) {
-    const double way = moved(frames, axis, there, place(frames, kept.frames[f], axis, particle));
+    const double way = moved(frames, axis, there, frames.place(kept.frames[f], particle)[axis]);
     const double steps = std::clamp(std::round(way / page.step), -most_move, most_move);
     page.changes[(axes * (f - 1) + axis) * count + column] = static_cast<std::int8_t>(steps);
     there += steps * page.step;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "mill/case/case.h"
 #include "mill/liner/liner_profile.h"
 #include "orchestrator/charge/charge_of_cycle.h"
 #include "orchestrator/loads/hit_power.h"
@@ -111,5 +112,11 @@ struct CampaignResults {
   std::vector<std::string> warnings;
   std::vector<LabelledValue> provenance;
 };
+
+/// What the case alone tells of a campaign, before its first cycle.
+[[nodiscard]] CampaignResults results_of_case(const Case& mill);
+
+/// "lifter height 60 mm"
+[[nodiscard]] std::string spoken_height_limit(const Case& mill);
 
 }  // namespace millwear::orchestrator

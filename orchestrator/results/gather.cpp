@@ -55,7 +55,7 @@ Life life_from(const Campaign& campaign, const Ledger& ledger, const CampaignRes
   const auto& limits = campaign.mill.campaign;
   life.limit = outcome_of(ledger) == Outcome::plate_limit
                    ? fmt::format("plate thickness {:g} mm", 1e3 * limits.plate_limit)
-                   : fmt::format("lifter height {:g} mm", 1e3 * limits.height_limit);
+                   : spoken_height_limit(campaign.mill);
   return life;
 }
 
@@ -98,13 +98,8 @@ std::vector<LabelledValue> description_of(const Case& mill) {
 
 CampaignResults gather(const Campaign& campaign, const Ledger& ledger) {
   const auto& mill = campaign.mill;
-  CampaignResults data{};
-  data.case_name = mill.name;
+  CampaignResults data = results_of_case(mill);
   data.description = description_of(mill);
-  data.sector = mill.liner.sector;
-  data.height_limit = mill.campaign.height_limit;
-  data.plate_limit = mill.campaign.plate_limit;
-  data.liner_density = mill.materials[mill.liner_material].density;
   data.warnings = warnings(mill);
   const Eigen::VectorXd edges = wear::energy_edges();
   data.energy_edges.assign(edges.begin(), edges.end());

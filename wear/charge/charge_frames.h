@@ -1,4 +1,5 @@
 #pragma once
+#include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -35,6 +36,10 @@ struct ChargeFrames {
 
   [[nodiscard]] std::size_t particles() const { return classes.size(); }
   [[nodiscard]] std::size_t frames() const { return times.size(); }
+  /// Where a particle is in a frame [m], in the mill frame.
+  [[nodiscard]] Eigen::Vector3d place(std::size_t frame, std::size_t particle) const;
+  /// Its speed there [m/s].
+  [[nodiscard]] double speed_of(std::size_t frame, std::size_t particle) const;
 };
 
 /// Values of a frame's row as differences to those of the row before, modulo 65536: small numbers,

@@ -4,15 +4,16 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <optional>
-#include <vector>
+
+#include "mill/liner/mill_frame.h"
+#include "wear/numerics/closed_curve.h"
 
 namespace millwear::wear {
 namespace {
 
-using Eigen::ArrayXd;
 using Eigen::Index;
 using Eigen::Vector2d;
+using Eigen::VectorXd;
 using std::numbers::pi;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -50,46 +51,23 @@ double interpolated(const Grid& values, const SectionGrid& grid, const Vector2d&
   return value;
 }
 
-Index around(Index degree) { return (degree % degrees + degrees) % degrees; }
-
 /// The occupied share on a circle, by degree from six o'clock along the rotation.
-ArrayXd occupied_around(const ChargeFields& fields, double radius) {
+VectorXd occupied_around(const ChargeFields& fields, double radius) {
   const Grid solid = grid_of(fields, FieldSum::solid);
-  ArrayXd raw(degrees);
+  VectorXd raw(degrees);
   for (Index i = 0; i < degrees; ++i) {
     const double angle = static_cast<double>(i) * pi / 180.0;
     raw[i] =
         interpolated(solid, fields.grid, {-radius * std::sin(angle), -radius * std::cos(angle)});
   }
-  ArrayXd smooth = ArrayXd::Zero(degrees);
-  for (Index i = 0; i < degrees; ++i)
-    for (Index j = -smoothed_over; j <= smoothed_over; ++j) smooth[i] += raw[around(i + j)];
-  return smooth / (2.0 * smoothed_over + 1.0);
+  return running_mean(raw, smoothed_over);
 }
 
-double percentile(const ArrayXd& values, double share) {
-  std::vector<double> sorted(values.begin(), values.end());
-  const auto rank =
-      sorted.begin() + static_cast<Index>(share * static_cast<double>(sorted.size() - 1));
-  std::ranges::nth_element(sorted, rank);
-  return *rank;
-}
-
-/// Degrees from six o'clock where the values fall below a level, on the way from `from`.
-std::optional<double> falls_below(const ArrayXd& values, double level, Index from, int direction) {
-  for (Index step = 0; step < degrees; ++step) {
-    const double here = values[around(from + direction * step)];
-    const double next = values[around(from + direction * (step + 1))];
-    if (next < level)
-      return static_cast<double>(from) +
-             direction * (static_cast<double>(step) + (here - level) / (here - next));
-  }
-  return std::nullopt;
-}
-
-double from_three_oclock(const std::optional<double>& degrees_from_six) {
-  if (!degrees_from_six) return nan;
-  return std::fmod(*degrees_from_six * pi / 180.0 + 3.5 * pi, 2.0 * pi);
+/// Where the occupied share falls below a level, on the way from a degree; NaN where nowhere.
+double end_of_bulk(const VectorXd& occupied, double level, Index from, int direction) {
+  const auto steps = steps_until_below(occupied, level, from, direction);
+  if (!steps) return nan;
+  return from_three_oclock((static_cast<double>(from) + direction * *steps) * pi / 180.0);
 }
 
 Vector2d head_of(const ChargeFields& fields) {
@@ -131,12 +109,12 @@ Vector2d centre_of_circulation(const ChargeFields& fields) {
 
 ChargeLandmarks landmarks_of(const ChargeFields& fields, double radius) {
   ChargeLandmarks found{nan, nan, head_of(fields), centre_of_circulation(fields)};
-  const ArrayXd occupied = occupied_around(fields, radius);
+  const VectorXd occupied = occupied_around(fields, radius);
   Index fullest = 0;
   if (!(occupied.maxCoeff(&fullest) > 0.0)) return found;
   const double level = share_of_bulk * percentile(occupied, bulk_percentile);
-  found.shoulder = from_three_oclock(falls_below(occupied, level, fullest, 1));
-  found.bulk_toe = from_three_oclock(falls_below(occupied, level, fullest, -1));
+  found.shoulder = end_of_bulk(occupied, level, fullest, 1);
+  found.bulk_toe = end_of_bulk(occupied, level, fullest, -1);
   return found;
 }
 

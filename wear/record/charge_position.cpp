@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "mill/base/failure.h"
+#include "mill/liner/mill_frame.h"
+#include "wear/numerics/closed_curve.h"
 
 namespace millwear::wear {
 namespace {
@@ -17,66 +19,44 @@ using std::numbers::pi;
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr Eigen::Index smoothing_half_width = 2;
 constexpr double level_of_percentile = 0.1;
-constexpr double percentile = 0.9;
+constexpr double percentile_of_level = 0.9;
 
 struct Arc {
   double toe;
   double shoulder;
 };
 
-Eigen::Index around(Eigen::Index degree) {
-  return (degree % degrees_around + degrees_around) % degrees_around;
-}
-
-Eigen::VectorXd smoothed(const Eigen::VectorXd& occupancy) {
-  Eigen::VectorXd mean = Eigen::VectorXd::Zero(degrees_around);
-  for (Eigen::Index i = 0; i < degrees_around; ++i) {
-    for (Eigen::Index j = -smoothing_half_width; j <= smoothing_half_width; ++j) {
-      mean[i] += occupancy[around(i + j)] / (2 * smoothing_half_width + 1);
-    }
-  }
-  return mean;
-}
-
+/// A tenth of the 90th percentile over the degrees that were touched at all.
 double charge_level(const Eigen::VectorXd& occupancy) {
   std::vector<double> touched;
   std::copy_if(occupancy.begin(), occupancy.end(), std::back_inserter(touched),
                [](double value) { return value > 0.0; });
-  const auto rank =
-      static_cast<std::ptrdiff_t>(percentile * static_cast<double>(touched.size() - 1));
-  std::nth_element(touched.begin(), touched.begin() + rank, touched.end());
-  return level_of_percentile * touched[static_cast<std::size_t>(rank)];
+  return level_of_percentile *
+         percentile(Eigen::Map<Eigen::VectorXd>(touched.data(), std::ssize(touched)),
+                    percentile_of_level);
 }
 
-double morrell_angle(double degrees_from_six) {
-  const double angle = degrees_from_six * pi / 180.0 + 1.5 * pi;
-  return std::fmod(angle + 4.0 * pi, 2.0 * pi);
-}
+double radians(double degrees) { return degrees * pi / 180.0; }
 
+/// Degrees from six o'clock.
 std::optional<double> crossing(const Eigen::VectorXd& occupancy, double level, Eigen::Index from,
                                int direction) {
-  for (Eigen::Index steps = 0; steps < degrees_around; ++steps) {
-    const double here = occupancy[around(from + direction * steps)];
-    const double next = occupancy[around(from + direction * (steps + 1))];
-    if (next < level) {
-      const double share = (here - level) / (here - next);
-      const double centre = static_cast<double>(from) + 0.5 - 180.0;
-      return centre + direction * (static_cast<double>(steps) + share);
-    }
-  }
-  return std::nullopt;
+  const auto steps = steps_until_below(occupancy, level, from, direction);
+  if (!steps) return std::nullopt;
+  const double centre = static_cast<double>(from) + 0.5 - 180.0;
+  return centre + direction * *steps;
 }
 
 std::optional<Arc> charge_arc(const Eigen::VectorXd& contacts) {
   if (!(contacts.maxCoeff() > 0.0)) return std::nullopt;
-  const Eigen::VectorXd occupancy = smoothed(contacts);
+  const Eigen::VectorXd occupancy = running_mean(contacts, smoothing_half_width);
   Eigen::Index fullest = 0;
   occupancy.maxCoeff(&fullest);
   const double level = charge_level(occupancy);
   const auto toe = crossing(occupancy, level, fullest, -1);
   const auto shoulder = crossing(occupancy, level, fullest, 1);
   if (!toe || !shoulder) return std::nullopt;
-  return Arc{morrell_angle(*toe), morrell_angle(*shoulder)};
+  return Arc{from_three_oclock(radians(*toe)), from_three_oclock(radians(*shoulder))};
 }
 
 double standard_error(const std::vector<Arc>& blocks, double Arc::*angle, double whole) {
@@ -108,7 +88,8 @@ ChargeAngles with_blocks(const ChargeAngles& angles, std::size_t block_count) {
 }
 
 Eigen::Index degree_around(double angle_from_six) {
-  return around(static_cast<Eigen::Index>(std::floor((angle_from_six / pi + 1.0) * 180.0)));
+  return around(static_cast<Eigen::Index>(std::floor((angle_from_six / pi + 1.0) * 180.0)),
+                degrees_around);
 }
 
 void add_contact(ChargeAngles& angles, double angle_from_six, double normal_force,

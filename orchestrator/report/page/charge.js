@@ -6,13 +6,6 @@ function showPictures() {
   document.getElementById("pictures").replaceChildren(...pictureFigures(chargeOf(chosenLoad())));
 }
 
-/** The view of the particles is a script of its own, which this page may have or not. */
-function startView() {
-  const place = document.getElementById("charge-view");
-  if (typeof startChargeView === "function" && hasCharge) startChargeView(place);
-  else place.remove();
-}
-
 function startCharge() {
   if (!data.loads.length || !hasCharge) {
     document.querySelectorAll("#charge .of-charge").forEach((part) => part.remove());
@@ -22,7 +15,7 @@ function startCharge() {
   document.getElementById("charge-missing").remove();
   const hasAround = data.charge.cycles.some((one) => one.around);
   document.querySelectorAll(".of-around").forEach((part) => { part.hidden = !hasAround; });
-  startView();
+  startChargeView(document.getElementById("charge-view"));
   fillOptions("charge-map", offeredMaps(), mapTitle);
   fillOptions("around-measure", Object.keys(aroundMeasures), (name) => aroundMeasures[name]);
   document.getElementById("charge-map").addEventListener("change", () => redrawPanel("section-map"));

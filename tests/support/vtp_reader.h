@@ -34,7 +34,8 @@ template <class T>
 std::vector<double> numbers(const std::string& bytes) {
   std::vector<T> values(bytes.size() / sizeof(T));
   if (values.size() * sizeof(T) != bytes.size()) throw std::runtime_error("half a number");
-  std::memcpy(values.data(), bytes.data(), bytes.size());
+  // Of an array without values data() is null, which memcpy may not take.
+  if (!values.empty()) std::memcpy(values.data(), bytes.data(), bytes.size());
   return {values.begin(), values.end()};
 }
 

@@ -3,6 +3,8 @@
 #include <string_view>
 #include <vector>
 
+#include "mill/case/operating_change.h"
+
 namespace millwear {
 
 /// How the next DEM is timed.
@@ -27,6 +29,7 @@ struct CampaignSettings {
   double largest_share = 0.25;    ///< adaptive: ... that one load may wear at all
   std::vector<double> reversal_times = {};  ///< of milling, at which the rotation turns to the
                                             ///< other way, increasing [s] (mill/liner/rotation.h)
+  std::vector<OperatingChange> operation = {};   ///< other speeds, fillings, feed rates and stops
   std::optional<double> target_life_error = {};  ///< half width of the life's 95 % band [-]
 };
 

@@ -46,6 +46,12 @@ double inside_volume(const Case& mill) {
   return section * mill.slice_length;
 }
 
+double filling_inside_plate(const Case& mill) {
+  const double radius = mill.liner.sector.plate_radius;
+  const double inside = std::numbers::pi * radius * radius * mill.slice_length;
+  return totals(mill).solid_volume / (1.0 - mill.charge.porosity) / inside;
+}
+
 double computed_filling(const Case& mill) {
   return totals(mill).solid_volume / (1.0 - mill.charge.porosity) / inside_volume(mill);
 }

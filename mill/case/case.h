@@ -140,6 +140,10 @@ struct Case {
 /// Filling that the particle counts make at rest: solid volume / (1 - porosity) / inside volume.
 [[nodiscard]] double computed_filling(const Case& mill);
 
+/// Filling that the counts make by the mill owner's reckoning: bulk volume over the volume inside
+/// the plate's circle, pi R^2 L, lifters not deducted.
+[[nodiscard]] double filling_inside_plate(const Case& mill);
+
 /// Share of the speed at which the largest particle would centrifuge on the plate [-]:
 ///     omega_c = sqrt(g / (R - d/2)),   R the plate's radius, d the largest diameter.
 [[nodiscard]] double critical_speed_fraction(const Case& mill);

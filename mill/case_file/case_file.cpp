@@ -4,6 +4,7 @@
 #include "mill/case_file/case_build.h"
 #include "mill/case_file/case_build_charge.h"
 #include "mill/case_file/case_build_liner.h"
+#include "mill/case_file/case_build_operation.h"
 #include "mill/case_file/case_build_wear.h"
 #include "mill/case_file/case_checks.h"
 #include "mill/case_file/case_schema_check.h"
@@ -50,6 +51,7 @@ Case case_from_document(const CaseDocument& document) {
   problems.throw_if_any();
 
   result.speed = build_speed(document, result, problems);
+  result.campaign.operation = build_operation(document, result, problems);
   check_case(result, document, problems);
   problems.throw_if_any();
   return result;

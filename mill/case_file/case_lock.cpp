@@ -86,13 +86,21 @@ std::string wear_text(const Case& mill) {
 
 }  // namespace
 
+std::string operation_text(const CampaignSettings& campaign) {
+  std::string text;
+  for (const OperatingChange& change : campaign.operation)
+    text += table("[[campaign.operation]]") + written_keys(operation_keys(), change);
+  return text;
+}
+
 std::string locked_case_text(const Case& mill) {
   return std::string(headline) + written_keys(top_keys(), mill) +  //
          table("[mill]") + written_keys(mill_keys(), mill) +       //
          lifter_text(mill) + materials_text(mill) + charge_text(mill) + table("[dem]") +
          written_keys(dem_keys(), mill.dem) +  //
          wear_text(mill) +                     //
-         table("[campaign]") + written_keys(campaign_keys(), mill.campaign);
+         table("[campaign]") + written_keys(campaign_keys(), mill.campaign) +
+         operation_text(mill.campaign);
 }
 
 }  // namespace millwear

@@ -192,6 +192,10 @@ void check_table(const CaseTable& table, const TableSpec& spec, CaseProblems& pr
 
 }  // namespace
 
+void check_against_schema(const CaseTable& table, CaseProblems& problems) {
+  check_table(table, *find_table_spec(table.name), problems);
+}
+
 void check_against_schema(const CaseDocument& document, CaseProblems& problems) {
   std::vector<std::string_view> known;
   for (const TableSpec& spec : case_tables()) {

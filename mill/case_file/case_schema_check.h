@@ -8,4 +8,7 @@ namespace millwear {
 /// of the wrong type, out of range, not finite, a name with characters that no name has.
 void check_against_schema(const CaseDocument& document, CaseProblems& problems);
 
+/// The same for the keys of one table, whose name the schema knows.
+void check_against_schema(const CaseTable& table, CaseProblems& problems);
+
 }  // namespace millwear

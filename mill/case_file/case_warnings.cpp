@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "mill/case/operated_mill.h"
 #include "mill/case_file/case_checks.h"
 #include "mill/liner/liner_profile.h"
 
@@ -29,12 +29,6 @@ const WearMechanism* law_of_impacts(const Case& mill) {
 
 }  // namespace
 
-double filling_inside_plate(const Case& mill) {
-  const double radius = mill.liner.sector.plate_radius;
-  const double inside = std::numbers::pi * radius * radius * mill.slice_length;
-  return totals(mill).solid_volume / (1.0 - mill.charge.porosity) / inside;
-}
-
 std::vector<std::string> warnings(const Case& mill) {
   std::vector<std::string> texts;
   const double largest = largest_diameter(mill);
@@ -44,6 +38,16 @@ std::vector<std::string> warnings(const Case& mill) {
         "the mill turns above its critical speed ({:.3g} of it: particles of {:.3g} m centrifuge); "
         "lower the speed below 1",
         fraction, largest));
+  }
+  for (std::size_t i = 0; i < mill.campaign.operation.size(); ++i) {
+    const Case operated = as_operated(mill, std::vector{i});
+    if (const double fraction = critical_speed_fraction(operated);
+        operated.speed != mill.speed && fraction > 1.0)
+      texts.push_back(
+          fmt::format("change {} of the operation turns the mill above its critical speed ({:.3g} "
+                      "of it); lower "
+                      "the speed below 1",
+                      i + 1, fraction));
   }
   if (mill.slice_length < advised_slice_diameters * largest) {
     texts.push_back(fmt::format(

@@ -10,8 +10,4 @@ namespace millwear {
 /// declared fillings, wide bins. Each is "what (why, with numbers); what would be right".
 [[nodiscard]] std::vector<std::string> warnings(const Case& mill);
 
-/// Filling that the counts make by the mill owner's reckoning: bulk volume over the volume inside
-/// the plate's circle, pi R^2 L, lifters not deducted.
-[[nodiscard]] double filling_inside_plate(const Case& mill);
-
 }  // namespace millwear

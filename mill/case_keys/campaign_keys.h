@@ -12,4 +12,8 @@ namespace millwear {
 /// The keys of [gauge].
 [[nodiscard]] const std::vector<KeyRow<GaugeSettings>>& gauge_keys();
 
+/// The keys of [[campaign.operation]]; share of critical speed and fillings are left to the
+/// builder.
+[[nodiscard]] const std::vector<KeyRow<OperatingChange>>& operation_keys();
+
 }  // namespace millwear

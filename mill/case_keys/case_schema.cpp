@@ -15,7 +15,7 @@
 namespace millwear {
 namespace {
 
-constexpr std::array<TableSpec, 13> tables{{
+constexpr std::array<TableSpec, 14> tables{{
     {"", false, true, "The keys before the first table."},
     {"mill", false, true, "The mill and the slice of it that is simulated."},
     {"lifter", false, true,
@@ -37,6 +37,10 @@ constexpr std::array<TableSpec, 13> tables{{
      "One law of the sum. Where two of the same law concern the same particles, their "
      "coefficients add."},
     {"campaign", false, true, "When the DEM is run anew, and when the liner is worn out."},
+    {"campaign.operation", true, false,
+     "A change of how the mill is operated, at given hours or at a lifter height. What a change "
+     "does "
+     "not give stays as it was before."},
     {"gauge", false, false,
      "How the gauge readings beside this file are held against the campaign. It may be changed at "
      "any time: what is simulated does not depend on it, and `case.lock.toml` has none of it."},
@@ -64,6 +68,7 @@ std::vector<KeySpec> all_keys() {
   append(specs, wear_keys());
   append(specs, mechanism_keys());
   append(specs, campaign_keys());
+  append(specs, operation_keys());
   append(specs, gauge_keys());
   return specs;
 }

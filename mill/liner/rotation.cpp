@@ -9,6 +9,10 @@ constexpr double same_time = 1.0;  // [s]
 
 }  // namespace
 
+std::string_view name_of(Rotation rotation) {
+  return rotation == Rotation::as_new ? "as_new" : "reversed";
+}
+
 int reversals_by(std::span<const double> reversal_times, double time) {
   const auto next =
       std::upper_bound(reversal_times.begin(), reversal_times.end(), time + same_time);

@@ -2,6 +2,7 @@
 #include <Eigen/Core>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "mill/liner/liner_profile.h"
@@ -10,6 +11,9 @@ namespace millwear {
 
 /// Which way the mill turns: as when its liner was new, or the other way.
 enum class Rotation { as_new, reversed };
+
+/// As the case file writes it.
+[[nodiscard]] std::string_view name_of(Rotation rotation);
 
 /// How often the mill was reversed by a time of milling [s], given the times of its reversals,
 /// increasing. One less than a second ahead counts, so that the sum of the steps that led to it

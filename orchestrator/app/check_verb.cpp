@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "liggghts_inputs/decks/stretch.h"
 #include "mill/base/constants.h"
 #include "mill/base/number_or_null.h"
+#include "mill/case/operated_mill.h"
 #include "mill/case_file/case_file.h"
 #include "mill/case_file/case_warnings.h"
 #include "mill/liner/profile_measures.h"
@@ -58,6 +60,7 @@ nlohmann::json check_json(const Case& mill, int ranks) {
           {"mixing_seconds", cost.mixing},
           {"cycle_seconds", cost.per_cycle},
           {"most_cycle_seconds", cost.per_cycle_most},
+          {"operation", spoken_operation(mill)},
           {"warnings", warnings(mill)}};
 }
 
@@ -98,6 +101,15 @@ void print_charge(const Case& mill) {
   fmt::print("\n");
 }
 
+void print_operation(const Case& mill) {
+  const auto& changes = mill.campaign.operation;
+  if (changes.empty()) return;
+  fmt::print("Operation\n");
+  for (const auto& sentence : spoken_operation(mill)) fmt::print("  {}\n", sentence);
+  fmt::print("  {} of {} changes ask for a new mixing and at least one more cycle\n",
+             std::ranges::count_if(changes, asks_for_load), changes.size());
+}
+
 void print_check(const Case& mill, int ranks) {
   const auto& sector = mill.liner.sector;
   const auto plan = plan_steps(mill);
@@ -113,6 +125,7 @@ void print_check(const Case& mill, int ranks) {
   fmt::print("Speed\n  {:.2f} rpm, {:.1f} % of critical\n", mill.speed * 30.0 / std::numbers::pi,
              100.0 * critical_speed_fraction(mill));
   print_charge(mill);
+  print_operation(mill);
   fmt::print("DEM\n  time step {:.3e} s, {:.0f} % of the shortest Rayleigh time {:.3e} s\n",
              plan.time_step, 100.0 * plan.time_step / shortest_rayleigh_time(mill),
              shortest_rayleigh_time(mill));

@@ -35,7 +35,8 @@ void deck_verb(const DeckOptions& options) {
   untuned.dem.tune = false;
   // A path from the folder of the case is none from the folder of the decks.
   if (mill.dem.charge_from) untuned.dem.charge_from = folder_of_charge(mill);
-  const Campaign campaign{untuned, {folder}, options.ranks.value_or(ranks_for(mill))};
+  const Campaign campaign =
+      as_operated({untuned, {folder}, options.ranks.value_or(ranks_for(mill))}, 0);
   const auto folder_of = [&](StageKind kind) {
     const auto stage_folder = campaign.folder.stage({0, kind});
     make_folder(stage_folder);

@@ -101,7 +101,7 @@ void status_verb(const StatusOptions& told) {
              100.0 * share_of_life(mill, liner));
   if (measured)
     fmt::print("latest load (cycle {}): {}\n", measured->first, spoken_end(measured->second));
-  if (!mill.campaign.reversal_times.empty())
+  if (!mill.campaign.reversal_times.empty() || reversed)
     fmt::print("turning {}\n", reversed ? "the other way than when the liner was new"
                                         : "as when the liner was new");
   const int chunks = next ? chunks_done(campaign, next->stage) : 0;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace millwear::orchestrator {
@@ -9,6 +10,13 @@ namespace {
 
 /// Below this the two are called equal [m].
 constexpr double same_height = 5e-5;
+
+/// Whether a change of operation that asks for another load comes at given hours.
+bool changes_by_hours(const CampaignSettings& plan) {
+  return std::ranges::any_of(plan.operation, [](const OperatingChange& change) {
+    return change.from_time && *change.from_time > 0.0 && asks_for_load(change);
+  });
+}
 
 /// Root mean square of the errors of the readings that `verdict_of` is about [m].
 double error_of_held_out(const CalibratedCourse& course) {
@@ -61,10 +69,10 @@ std::vector<std::string> remarks_of(const CalibratedCourse& course, const Case& 
   if (std::isnan(course.life.value))
     remarks.push_back(fmt::format("the campaign does not reach the limit of {:.1f} mm",
                                   1e3 * course.height_limit));
-  if (!mill.campaign.reversal_times.empty())
+  if (const auto& plan = mill.campaign; !plan.reversal_times.empty() || changes_by_hours(plan))
     remarks.push_back(
-        "the mill is turned around at given hours, and these are divided by the factor, too: run "
-        "the case with its coefficients times the factor");
+        "the operation changes at given hours, and these are divided by the factor, too: run the "
+        "case with its coefficients times the factor");
   return remarks;
 }
 

@@ -2,10 +2,19 @@
 
 #include <algorithm>
 
+#include "mill/case/operated_mill.h"
 #include "mill/liner/profile_measures.h"
 #include "orchestrator/campaign/kept_cycle.h"
 
 namespace millwear::orchestrator {
+namespace {
+
+/// Whether the mill is operated the same way all the time.
+bool is_constant(const CampaignSettings& plan) {
+  return plan.reversal_times.empty() && plan.operation.empty();
+}
+
+}  // namespace
 
 LinerProfile liner_of_cycle(const Campaign& campaign, int cycle) {
   if (cycle == 0) return campaign.mill.liner;
@@ -16,24 +25,36 @@ LinerProfile liner_of_cycle(const Campaign& campaign, int cycle) {
 }
 
 Rotation rotation_of_cycle(const Campaign& campaign, int cycle) {
-  const auto& times = campaign.mill.campaign.reversal_times;
-  if (times.empty()) return Rotation::as_new;
-  return rotation_after(times, milling_time_before(campaign, cycle));
+  const auto& plan = campaign.mill.campaign;
+  return is_constant(plan) ? Rotation::as_new : rotation_at(plan, moment_before(campaign, cycle));
 }
 
 LinerProfile dem_liner_of_cycle(const Campaign& campaign, int cycle) {
   return as_turned(liner_of_cycle(campaign, cycle), rotation_of_cycle(campaign, cycle));
 }
 
-int first_cycle_of_rotation(const Campaign& campaign, int cycle) {
-  const auto& times = campaign.mill.campaign.reversal_times;
-  if (times.empty()) return 0;
-  const auto reversals_before = [&](int of) {
-    return reversals_by(times, milling_time_before(campaign, of));
+int first_cycle_of_operation(const Campaign& campaign, int cycle) {
+  const auto& plan = campaign.mill.campaign;
+  if (is_constant(plan)) return 0;
+  const auto in_force = [&](int of) {
+    return operation_in_force(plan, moment_before(campaign, of));
   };
   int first = cycle;
-  while (first > 0 && reversals_before(first - 1) == reversals_before(cycle)) --first;
+  while (first > 0 && in_force(first - 1) == in_force(cycle)) --first;
   return first;
+}
+
+Campaign as_operated(const Campaign& campaign, int cycle) {
+  Campaign operated = campaign;
+  const auto& changes = campaign.mill.campaign.operation;
+  if (!changes.empty())
+    operated.mill =
+        as_operated(campaign.mill, changes_begun(changes, moment_before(campaign, cycle)));
+  return operated;
+}
+
+LinerMoment moment_before(const Campaign& campaign, int cycle) {
+  return {milling_time_before(campaign, cycle), lifter_height(liner_of_cycle(campaign, cycle))};
 }
 
 double milling_time_before(const Campaign& campaign, int cycle) {

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "mill/case/case.h"
+#include "mill/case/operating_change.h"
 #include "mill/liner/rotation.h"
 #include "orchestrator/campaign/run_folder.h"
 
@@ -31,8 +32,15 @@ struct Campaign {
 /// on this one.
 [[nodiscard]] LinerProfile dem_liner_of_cycle(const Campaign& campaign, int cycle);
 
-/// The first cycle with the rotation of this one: its DEM begins with a new charge.
-[[nodiscard]] int first_cycle_of_rotation(const Campaign& campaign, int cycle);
+/// The first cycle with the operation of this one (mill/case/operated_mill.h): its DEM begins with
+/// a new charge.
+[[nodiscard]] int first_cycle_of_operation(const Campaign& campaign, int cycle);
+
+/// The campaign with its mill as it is operated when a cycle begins: speed, charge and feed rate.
+[[nodiscard]] Campaign as_operated(const Campaign& campaign, int cycle);
+
+/// Where the liner stands when a cycle begins.
+[[nodiscard]] LinerMoment moment_before(const Campaign& campaign, int cycle);
 
 /// Time that the mill has milled when a cycle's load is measured, since its liner was new [s].
 [[nodiscard]] double milling_time_before(const Campaign& campaign, int cycle);

@@ -87,6 +87,7 @@ Case with_law_of(const Case& here, const Case& there, std::string_view folder) {
   result.wear.mechanisms = here.wear.mechanisms;
   result.campaign = here.campaign;
   result.campaign.reversal_times = there.campaign.reversal_times;
+  result.campaign.operation = there.campaign.operation;
   auto texts = differences(here, result);
   if (texts.empty()) return result;
   const std::size_t more = texts.size() - std::min(texts.size(), most_named);

@@ -10,8 +10,8 @@ namespace millwear::orchestrator {
 namespace {
 
 constexpr std::array<std::string_view, 5> kind_names = {"mesh", "mix", "tune", "dem", "wear"};
-constexpr std::array<std::string_view, 4> outcome_names = {"go_on", "height_limit", "plate_limit",
-                                                           "reversed"};
+constexpr std::array<std::string_view, 5> outcome_names = {"go_on", "height_limit", "plate_limit",
+                                                           "reversed", "changed"};
 
 template <class Enum, std::size_t N>
 Enum value_named(const std::array<std::string_view, N>& names, std::string_view name) {
@@ -21,6 +21,10 @@ Enum value_named(const std::array<std::string_view, N>& names, std::string_view 
 }
 
 }  // namespace
+
+bool begins_anew(Outcome outcome) {
+  return outcome == Outcome::reversed || outcome == Outcome::changed;
+}
 
 std::string_view name_of(StageKind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
 std::string_view name_of(Outcome outcome) {

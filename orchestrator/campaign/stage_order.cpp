@@ -9,7 +9,7 @@ std::vector<StageKind> stages_of(int cycle, SpeedTrial trial, const Ledger& ledg
   if (cycle == 0 && trial == SpeedTrial::after_first_mix)
     return {StageKind::mesh, StageKind::mix, StageKind::tune, StageKind::dem, StageKind::wear};
   const LedgerEntry* const before = ledger.find({cycle - 1, StageKind::wear});
-  if (cycle == 0 || (before != nullptr && before->outcome == Outcome::reversed))
+  if (cycle == 0 || (before != nullptr && begins_anew(before->outcome)))
     return {StageKind::mesh, StageKind::mix, StageKind::dem, StageKind::wear};
   return {StageKind::mesh, StageKind::dem, StageKind::wear};
 }
@@ -19,6 +19,8 @@ std::string reason_for(const StageId& stage, const Ledger& ledger) {
   const auto& last = ledger.entries.back();
   if (last.outcome == Outcome::reversed)
     return fmt::format("the mill was reversed after {}", name_of(last.stage));
+  if (last.outcome == Outcome::changed)
+    return fmt::format("the operation changed after {}", name_of(last.stage));
   if (stage.kind == StageKind::mesh)
     return fmt::format("{} left the liner above its limits", name_of(last.stage));
   return fmt::format("{} is published and this is not", name_of(last.stage));
@@ -33,7 +35,7 @@ CampaignPlan plan_of(const Case& mill) {
 
 Outcome outcome_of(const Ledger& ledger) {
   const auto last = ledger.entries.empty() ? Outcome::go_on : ledger.entries.back().outcome;
-  return last == Outcome::reversed ? Outcome::go_on : last;
+  return begins_anew(last) ? Outcome::go_on : last;
 }
 
 std::optional<NextStage> next_stage(const Ledger& ledger, const CampaignPlan& plan) {

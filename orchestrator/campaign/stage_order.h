@@ -29,8 +29,8 @@ struct CampaignPlan {
 
 /// The first stage of the campaign that the ledger does not have; std::nullopt once a cycle has
 /// reached a limit or `cycle_limit` cycles are done. Each cycle goes mesh, dem, wear, with mix
-/// before the first dem and before the first after a reversal: the mirrored steel may stand where
-/// the last charge lies. A trial of speed comes once, after the first mix.
+/// before the first dem and before the first after a reversal or a change of operation
+/// (`begins_anew`). A trial of speed comes once, after the first mix.
 [[nodiscard]] std::optional<NextStage> next_stage(const Ledger& ledger, const CampaignPlan& plan);
 
 /// How the campaign stands: the limit it ended at, or go_on.

@@ -60,7 +60,6 @@ double scale_of_speeds(double diameter) {
 
 ShownCharge charge_of(const Case& mill) {
   ShownCharge shown{.classes = {},
-                    .speed = mill.speed,
                     .slice_length = mill.slice_length,
                     .fastest = scale_of_speeds(2.0 * mill.liner.sector.shell_radius),
                     .cycles = {}};
@@ -87,7 +86,8 @@ ShownCharge charge_of_cycles(const Campaign& campaign, const std::vector<int>& c
     auto record = wear::read_charge(charge_file(campaign, cycle), parts);
     const LinerProfile liner = dem_liner_of_cycle(campaign, cycle);
     shown.cycles.push_back(
-        {cycle, liner, record.fields.grid, maps_of(campaign.mill, record.fields),
+        {cycle, as_operated(campaign, cycle).mill.speed, liner, record.fields.grid,
+         maps_of(campaign.mill, record.fields),
          wear::landmarks_of(record.fields, inside_the_crests(liner, record.fields.grid)),
          std::move(record.frames)});
   }

@@ -22,6 +22,7 @@ struct SectionMap {
 /// How the charge looked in the measurement of one cycle, in the frame at rest.
 struct ChargeOfCycle {
   int cycle;
+  double speed;        ///< of the mill [rad/s]
   LinerProfile liner;  ///< that it lay on, as the DEM turns it
   wear::SectionGrid grid;
   /// Those of `wear::FieldMap`, `mean_diameter` [m] and, of several materials, `share_of_MATERIAL`
@@ -43,7 +44,6 @@ struct ShownClass {
 /// The charge of a campaign.
 struct ShownCharge {
   std::vector<ShownClass> classes;
-  double speed = 0.0;         ///< of the mill [rad/s]
   double slice_length = 0.0;  ///< [m]
   /// At the end of the scale of pictures [m/s]: three quarters of the speed after a fall through
   /// the mill, sqrt(2 g D), rounded. So the colours of all cycles mean the same.

@@ -7,7 +7,9 @@
 
 #include "mill/base/constants.h"
 #include "mill/base/failure.h"
+#include "mill/case/operated_mill.h"
 #include "mill/case_file/case_file.h"
+#include "mill/liner/profile_measures.h"
 #include "orchestrator/campaign/open_campaign.h"
 #include "orchestrator/loads/cycle_load.h"
 #include "wear/charge/charge_record.h"
@@ -90,9 +92,9 @@ CycleStart start_of(const PublishedCampaign& published, int cycle) {
   const auto& mill = published.campaign.mill;
   const ProfileRow& before = profile_before(published, cycle);
   const double hours = before.operating_hours;
-  return {hours,
-          {mill.liner.sector, before.nodes},
-          rotation_after(mill.campaign.reversal_times, hours * seconds_per_hour)};
+  const LinerProfile liner{mill.liner.sector, before.nodes};
+  return {hours, liner,
+          rotation_at(mill.campaign, {hours * seconds_per_hour, lifter_height(liner)})};
 }
 
 std::optional<LoadAlongProfile> load_of(const PublishedCampaign& published, int cycle) {

@@ -86,7 +86,7 @@ std::filesystem::path load_file(const Campaign& campaign, int cycle) {
 }
 
 CycleLoad worked_out(const Campaign& campaign, int cycle) {
-  const auto& mill = campaign.mill;
+  const Case mill = as_operated(campaign, cycle).mill;
   const LinerProfile liner = dem_liner_of_cycle(campaign, cycle);
   const auto record = wear::read_record(load_file(campaign, cycle));
   const auto rate = wear::rate_of_load(mill.wear, mill.charge.classes, liner, record.load);

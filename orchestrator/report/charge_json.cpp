@@ -175,6 +175,7 @@ std::string charge_json(const CampaignResults& data, std::size_t most_frame_byte
     for (const auto& node : charge.liner.nodes) liner.push_back(json_of(node));
     cycles.push_back(
         {{"cycle", charge.cycle},
+         {"speed", charge.speed},
          {"liner", liner},
          {"section", {{"half_width", charge.grid.half_width}, {"cells", charge.grid.cells}}},
          {"maps", maps},
@@ -190,7 +191,6 @@ std::string charge_json(const CampaignResults& data, std::size_t most_frame_byte
                        {"diameter", one.diameter},
                        {"density", one.density}});
   return Json{{"classes", classes},
-              {"speed", data.charge.speed},
               {"locked_slip", wear::locked_slip},
               {"slice_length", data.charge.slice_length},
               {"fastest", data.charge.fastest},

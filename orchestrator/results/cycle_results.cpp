@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "mill/base/constants.h"
+#include "mill/case/case_units.h"
+#include "mill/case/operated_mill.h"
 #include "mill/liner/profile_measures.h"
 #include "orchestrator/campaign/kept_cycle.h"
 #include "orchestrator/dem_run/measured.h"
@@ -76,14 +78,14 @@ void serialize(Archive& archive, PowerSeries& value) {
 
 template <class Archive>
 void serialize(Archive& archive, CampaignMoment& value) {
-  archive(value.time, value.hours, value.liner);
+  archive(value.time, value.hours, value.liner, value.begun_hours);
 }
 
 template <class Archive>
 void serialize(Archive& archive, CycleResults& value) {
-  archive(value.load_time, value.rotation, value.history, value.profiles, value.replicates,
-          value.step_durations, value.conservation, value.power, value.motion, value.warning,
-          value.liners_after, value.after);
+  archive(value.load_time, value.rotation, value.continues, value.history, value.profiles,
+          value.replicates, value.step_durations, value.conservation, value.power, value.motion,
+          value.warning, value.liners_after, value.after);
 }
 
 namespace {
@@ -94,14 +96,23 @@ std::vector<double> as_vector(const Eigen::VectorXd& values) {
   return {values.begin(), values.end()};
 }
 
-HistoryRow row_of(const Case& mill, const LinerProfile& liner, const Measured& measured, int cycle,
-                  int step, double hours, Rotation rotation) {
+/// The feed rate at a time [kg/s], none where none is known.
+std::optional<double> feed_rate_at(const Case& mill, const LinerMoment& moment) {
+  return as_operated(mill, changes_begun(mill.campaign.operation, moment)).feed_rate;
+}
+
+/// The row of a geometry step. `operated` is the mill as in the cycle.
+HistoryRow row_of(const Case& mill, const Case& operated, const CampaignMoment& after,
+                  const Measured& measured, int cycle, int step, Rotation rotation) {
   const auto& fresh = mill.liner;
-  const auto feed = mill.feed_rate;
+  const auto& [time, hours, liner, begun_hours] = after;
+  const auto& changes = mill.campaign.operation;
+  const auto feed = feed_rate_at(mill, {time, lifter_height(liner)});
   return {.cycle = cycle,
           .step = step,
           .operating_hours = hours,
-          .tonnes = feed ? *feed * hours * seconds_per_hour / kilograms_per_tonne : std::nan(""),
+          .calendar_hours = calendar_hours(changes, begun_hours, hours),
+          .tonnes = tonnes_milled(mill.feed_rate, changes, begun_hours, hours),
           .lifter_height = lifter_height(liner),
           .face_angle = leading_face_angle(as_turned(liner, rotation)),
           .plate_thickness = plate_thickness(liner),
@@ -124,15 +135,18 @@ HistoryRow row_of(const Case& mill, const LinerProfile& liner, const Measured& m
           .dead_zone_share = measured.motion.dead_zone_share.value,
           .dead_zone_share_error = measured.motion.dead_zone_share.error,
           .between_locked_share = measured.motion.between_locked_share.value,
-          .between_locked_share_error = measured.motion.between_locked_share.error};
+          .between_locked_share_error = measured.motion.between_locked_share.error,
+          .speed = operated.speed / speed_from_rpm(1.0),
+          .total_filling = filling_inside_plate(operated),
+          .feed_rate = feed ? *feed / feed_from_t_per_h(1.0) : std::nan("")};
 }
 
 /// What to keep in mind of the charge a cycle began with, where it was mixed anew.
-std::optional<std::string> mixing_warning(const Campaign& campaign, const Ledger& ledger,
-                                          int cycle) {
+std::optional<std::string> mixing_warning(const Campaign& campaign, const Case& operated,
+                                          const Ledger& ledger, int cycle) {
   const StageId stage{cycle, StageKind::mix};
   if (!campaign.mill.dem.mix_until_steady || ledger.find(stage) == nullptr) return std::nullopt;
-  const auto record = read_mixing(campaign.mill, campaign.folder.stage(stage));
+  const auto record = read_mixing(operated, campaign.folder.stage(stage));
   if (mixing_state(record.plan, record.pieces) == MixingState::steady) return std::nullopt;
   return fmt::format("cycle {}: {}; raise `mix_revolutions`", cycle, spoken_mixing(record));
 }
@@ -151,14 +165,17 @@ std::vector<double> at_nodes(const LinerProfile& profile, const Eigen::VectorXd&
 CycleResults without_band(const Campaign& campaign, const Ledger& ledger, int cycle,
                           const CycleLoad& load, const CampaignMoment& before) {
   const auto& mill = campaign.mill;
-  const auto& reversals = mill.campaign.reversal_times;
+  const auto& plan = mill.campaign;
+  const LinerMoment first{before.time, lifter_height(before.liner)};
+  const Case operated = as_operated(mill, changes_begun(plan.operation, first));
   const auto measured =
       read_measured(campaign.folder.stage({cycle, StageKind::dem}) / stage_files::measured);
   const auto kept = read_cycle(campaign.folder.stage({cycle, StageKind::wear}) / stage_files::steps,
                                mill.liner.sector);
   CycleResults results{
       .load_time = before.time,
-      .rotation = reversals.empty() ? Rotation::as_new : rotation_after(reversals, before.time),
+      .rotation = rotation_at(plan, first),
+      .continues = cycle > 0 && first_cycle_of_operation(campaign, cycle) < cycle,
       .history = {},
       .profiles = {},
       .replicates = {},
@@ -169,26 +186,30 @@ CycleResults without_band(const Campaign& campaign, const Ledger& ledger, int cy
       .power = {cycle, as_vector(wear::block_means(measured.power_times, load.block_count)),
                 as_vector(wear::block_means(measured.power_series, load.block_count))},
       .motion = measured.motion,
-      .warning = mixing_warning(campaign, ledger, cycle),
+      .warning = mixing_warning(campaign, operated, ledger, cycle),
       .liners_after = {},
       .after = before};
+  auto& [time, hours, liner, begun_hours] = results.after;
+  begun_hours = begun_hours_after(plan.operation, std::move(begun_hours), first, hours);
   if (cycle == 0) {
-    results.history.push_back(row_of(mill, mill.liner, measured, 0, 0, 0.0, Rotation::as_new));
+    results.history.push_back(
+        row_of(mill, operated, results.after, measured, 0, 0, results.rotation));
     results.profiles.push_back(
         {0, 0, 0.0, mill.liner.nodes, std::vector<double>(mill.liner.nodes.size(), 0.0)});
     results.replicates.push_back(
         {0, 0, 0.0, Eigen::VectorXd::Constant(replicates, lifter_height(mill.liner)),
          Eigen::VectorXd::Constant(replicates, plate_thickness(mill.liner))});
   }
-  auto& [time, hours, liner] = results.after;
   for (const auto& step : kept.steps) {
     const int number = static_cast<int>(results.step_durations.size()) + 1;
     time += step.duration;
     hours += step.duration / seconds_per_hour;
     liner = step.profile;
+    begun_hours = begun_hours_after(plan.operation, std::move(begun_hours),
+                                    {time, lifter_height(liner)}, hours);
     results.step_durations.push_back(step.duration);
     results.history.push_back(
-        row_of(mill, liner, measured, cycle, number, hours, results.rotation));
+        row_of(mill, operated, results.after, measured, cycle, number, results.rotation));
     results.profiles.push_back({cycle, number, hours, liner.nodes, {}});
     results.conservation.removed += step.removed_area;
     results.conservation.accounted += step.accounted_area + step.fallen_area;
@@ -214,7 +235,8 @@ wear::WornCycle worn_cycle(const Case& mill, int number, const CycleResults& cyc
       timed_load(cycle.load_time, dem_liner(cycle, liner), load),
       wear::rate_replicates(load.smoothed, replicates, seed, wear::ReplicateOf::noise),
       {},
-      cycle.rotation};
+      cycle.rotation,
+      cycle.continues};
   for (std::size_t i = 0; i < cycle.step_durations.size(); ++i) {
     const LinerProfile after{mill.liner.sector, cycle.profiles[first_step_row(cycle) + i].nodes};
     worn.steps.push_back({cycle.step_durations[i], dem_liner(cycle, after)});
@@ -286,7 +308,7 @@ std::vector<CycleResults> results_of_cycles(const Campaign& campaign, const Ledg
   const std::size_t from = first - std::min(first, behind);
   std::vector<wear::WornCycle> worn;  // from cycle `from` on
   for (std::size_t i = from; i < loads.size(); ++i) {
-    const auto before = i > 0 ? results[i - 1].after : CampaignMoment{0.0, 0.0, mill.liner};
+    const auto before = i > 0 ? results[i - 1].after : CampaignMoment{0.0, 0.0, mill.liner, {}};
     const int number = static_cast<int>(i);
     if (i >= first) results.push_back(without_band(campaign, ledger, number, loads[i], before));
     worn.push_back(worn_cycle(mill, number, results[i], before.liner, loads[i]));

@@ -16,12 +16,15 @@ struct CampaignMoment {
   double time;         ///< milled since the liner was new [s]
   double hours;        ///< likewise, as `history.csv` sums them [h]
   LinerProfile liner;  ///< in the steel's frame
+  /// Hours at which each change of operation began [h]; NaN, or missing, where it has not.
+  std::vector<double> begun_hours{};
 };
 
 /// What one cycle adds to a campaign's results, besides what `CycleLoad` tells.
 struct CycleResults {
   double load_time;                 ///< when the load was measured [s]
   Rotation rotation;                ///< which way the mill turned
+  bool continues;                   ///< operated the same way as in the cycle before
   std::vector<HistoryRow> history;  ///< in cycle 0 with the new liner
   std::vector<ProfileRow> profiles;
   std::vector<ReplicateRow> replicates;

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "mill/base/constants.h"
+#include "mill/case/operated_mill.h"
 #include "mill/case/time_step.h"
 #include "mill/case_file/case_warnings.h"
 #include "mill/liner/profile_measures.h"
@@ -67,6 +68,12 @@ std::string spoken_rotation(const Case& mill) {
                        : fmt::format("reversed at {} operating hours", fmt::join(hours, ", "));
 }
 
+/// A line of the description, where the operation changes.
+std::vector<LabelledValue> operation_of(const Case& mill) {
+  if (mill.campaign.operation.empty()) return {};
+  return {{"Operation", fmt::format("{}", fmt::join(spoken_operation(mill), "; "))}};
+}
+
 std::string spoken_reductions(const Case& mill) {
   std::vector<std::string> spoken;
   for (std::size_t m = 0; m < mill.materials.size(); ++m)
@@ -77,21 +84,24 @@ std::string spoken_reductions(const Case& mill) {
 std::vector<LabelledValue> description_of(const Case& mill) {
   const auto& sector = mill.liner.sector;
   const auto plan = plan_steps(mill);
-  return {{"Mill", fmt::format("{:g} m inside the shell, {} lifters, slice of {:g} m",
-                               2.0 * sector.shell_radius, sector.rows, mill.slice_length)},
-          {"Speed",
-           fmt::format("{:.2f} rpm, {:.0f} % of critical", mill.speed * 30.0 / std::numbers::pi,
-                       100.0 * critical_speed_fraction(mill))},
-          {"Rotation", spoken_rotation(mill)},
-          {"Charge", fmt::format("{} particles, filling {:.1f} %", totals(mill).particles,
-                                 100.0 * computed_filling(mill))},
-          {"New lifter", fmt::format("{:.0f} mm high, leading face {:.0f}° off upright",
-                                     1e3 * lifter_height(mill.liner),
-                                     leading_face_angle(mill.liner) / radians_per_degree)},
-          {"Wear law", spoken(mill.wear.mechanisms, mill.materials)},
-          {"DEM", fmt::format("time step {:.3g} s, {} steps a revolution, moduli divided by {}",
-                              plan.time_step, plan.steps_per_revolution(sector.rows),
-                              spoken_reductions(mill))}};
+  std::vector<LabelledValue> lines{
+      {"Mill", fmt::format("{:g} m inside the shell, {} lifters, slice of {:g} m",
+                           2.0 * sector.shell_radius, sector.rows, mill.slice_length)},
+      {"Speed",
+       fmt::format("{:.2f} rpm, {:.0f} % of critical", mill.speed * 30.0 / std::numbers::pi,
+                   100.0 * critical_speed_fraction(mill))},
+      {"Rotation", spoken_rotation(mill)},
+      {"Charge", fmt::format("{} particles, filling {:.1f} %", totals(mill).particles,
+                             100.0 * computed_filling(mill))},
+      {"New lifter", fmt::format("{:.0f} mm high, leading face {:.0f}° off upright",
+                                 1e3 * lifter_height(mill.liner),
+                                 leading_face_angle(mill.liner) / radians_per_degree)},
+      {"Wear law", spoken(mill.wear.mechanisms, mill.materials)},
+      {"DEM", fmt::format("time step {:.3g} s, {} steps a revolution, moduli divided by {}",
+                          plan.time_step, plan.steps_per_revolution(sector.rows),
+                          spoken_reductions(mill))}};
+  append(operation_of(mill), lines);
+  return lines;
 }
 
 }  // namespace

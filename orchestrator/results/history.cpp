@@ -8,11 +8,13 @@ namespace {
 using Row = HistoryRow;
 using Degrees = InDegrees<Row>;
 
-constexpr std::string_view history_format = "millwear history 4";
-constexpr std::array<CsvColumn<Row>, 27> columns{{
+constexpr std::string_view history_format = "millwear history 5";
+constexpr std::array<CsvColumn<Row>, 31> columns{{
     {"cycle", "1", "DEM load that the step was taken on, from 0", "cycle", &Row::cycle},
     {"step", "1", "geometry step within the cycle", "step", &Row::step},
     {"operating_hours", "h", "since the liner was new", "operating_hours", &Row::operating_hours},
+    {"calendar_hours", "h", "likewise, with the idle times of the operation", "calendar_hours",
+     &Row::calendar_hours},
     {"tonnes", "t", "milled by then; empty without a feed rate", "tonnes", &Row::tonnes},
     {"lifter_height_m", "m",
      "crest above where the plate was when new; it only falls, and goes below 0 when the crest is "
@@ -71,6 +73,11 @@ constexpr std::array<CsvColumn<Row>, 27> columns{{
      "between_locked_share", &Row::between_locked_share},
     {"between_lifters_locked_share_se", "1", "standard error of `between_lifters_locked_share`",
      "between_locked_share_error", &Row::between_locked_share_error},
+    {"speed_rpm", "1/min", "of the mill", "speed", &Row::speed},
+    {"total_filling", "1", "bulk volume of the charge, share of the volume inside the new plate",
+     "total_filling", &Row::total_filling},
+    {"feed_rate_t_per_h", "t/h", "at the end of the step; empty without a feed rate", "feed_rate",
+     &Row::feed_rate},
 }};
 
 }  // namespace

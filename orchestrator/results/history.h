@@ -14,6 +14,7 @@ struct HistoryRow {
   int cycle;
   int step;
   double operating_hours;  ///< since the liner was new [h]
+  double calendar_hours;   ///< likewise, with the time that the mill stood still [h]
   double tonnes;           ///< milled since then [t]
   double lifter_height;    ///< [m]
   double face_angle;       ///< leading face against the radial direction [rad]
@@ -38,6 +39,9 @@ struct HistoryRow {
   double dead_zone_share_error;
   double between_locked_share;  ///< the same of what is between the lifters [-]
   double between_locked_share_error;
+  double speed;          ///< of the mill [1/min]
+  double total_filling;  ///< of the volume inside the new plate [-]
+  double feed_rate;      ///< at the end of the step [t/h]
 };
 
 /// The columns of `history.csv`, which its header, writer and reader come from.

@@ -63,7 +63,8 @@ Outcome work_of(const Campaign& campaign, const StageId& stage, const fs::path& 
 
 }  // namespace
 
-LedgerEntry run_stage(const Campaign& campaign, const StageId& stage, Progress& progress) {
+LedgerEntry run_stage(const Campaign& told, const StageId& stage, Progress& progress) {
+  const Campaign campaign = as_operated(told, stage.cycle);
   const auto started = std::chrono::steady_clock::now();
   const fs::path partial = campaign.folder.partial_stage(stage);
   const fs::path final_folder = campaign.folder.stage(stage);

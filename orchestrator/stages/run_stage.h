@@ -5,8 +5,9 @@
 
 namespace millwear::orchestrator {
 
-/// Runs one stage in a folder beside its own and publishes it by a rename; what an earlier attempt
-/// left is removed. Returns what the ledger is to hold.
+/// Runs one stage, with the mill as it is operated in its cycle, in a folder beside its own and
+/// publishes it by a rename; what an earlier attempt left is removed. Returns what the ledger is to
+/// hold.
 [[nodiscard]] LedgerEntry run_stage(const Campaign& campaign, const StageId& stage,
                                     Progress& progress);
 

@@ -39,6 +39,7 @@ Case dem_case(const Campaign& campaign, const StageId& stage) {
   const auto reversals = mill.campaign.reversal_times;
   mill.campaign = {.height_limit = 0.0, .plate_limit = 0.0};
   mill.campaign.reversal_times = reversals;
+  mill.feed_rate.reset();
   if (stage.kind == StageKind::mix) {
     const DemSettings standard;
     mill.dem.error_target.reset();
@@ -60,7 +61,7 @@ Case dem_case(const Campaign& campaign, const StageId& stage) {
 
 /// The restart file that a stage begins with, empty where it packs its charge.
 fs::path charge_before(const Campaign& campaign, const StageId& stage) {
-  const bool is_first = first_cycle_of_rotation(campaign, stage.cycle) == stage.cycle;
+  const bool is_first = first_cycle_of_operation(campaign, stage.cycle) == stage.cycle;
   if (stage.kind == StageKind::dem)
     return campaign.folder.stage(is_first ? StageId{stage.cycle, StageKind::mix}
                                           : StageId{stage.cycle - 1, StageKind::dem}) /

@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
-#include <stdexcept>
 #include <utility>
 
+#include "mill/case/operated_mill.h"
 #include "mill/liner/profile_measures.h"
 #include "orchestrator/campaign/kept_cycle.h"
 #include "orchestrator/loads/cycle_load.h"
@@ -15,18 +14,16 @@
 namespace millwear::orchestrator {
 namespace {
 
-/// `is_reversed`: the steps led to a reversal of the rotation.
-Outcome outcome_from_end(wear::EvolutionEnd end, bool is_reversed) {
-  switch (end) {
-    case wear::EvolutionEnd::load_spent:
-    case wear::EvolutionEnd::time_reached:
-      return is_reversed ? Outcome::reversed : Outcome::go_on;
-    case wear::EvolutionEnd::height_limit:
-      return Outcome::height_limit;
-    case wear::EvolutionEnd::plate_limit:
-      return Outcome::plate_limit;
-  }
-  throw std::logic_error("an end of no kind");
+/// How the steps from one moment to another leave the campaign. `limits` are those that the steps
+/// ended at: the height may be one at which the operation changes.
+Outcome outcome_of_steps(wear::EvolutionEnd end, const CampaignSettings& plan,
+                         const CampaignSettings& limits, const LinerMoment& first,
+                         const LinerMoment& last) {
+  if (end == wear::EvolutionEnd::plate_limit) return Outcome::plate_limit;
+  if (end == wear::EvolutionEnd::height_limit && limits.height_limit <= plan.height_limit)
+    return Outcome::height_limit;
+  if (operation_in_force(plan, first) == operation_in_force(plan, last)) return Outcome::go_on;
+  return rotation_at(plan, first) == rotation_at(plan, last) ? Outcome::changed : Outcome::reversed;
 }
 
 constexpr int loads_that_count = 3;
@@ -41,7 +38,7 @@ LoadsOfCycle loads_of_cycle(const Campaign& campaign, int cycle) {
   const int first =
       campaign.mill.campaign.scheme == Scheme::threshold
           ? cycle
-          : std::max(first_cycle_of_rotation(campaign, cycle), cycle + 1 - loads_that_count);
+          : std::max(first_cycle_of_operation(campaign, cycle), cycle + 1 - loads_that_count);
   std::vector<wear::TimedLoad> timed;
   for (int i = first;; ++i) {
     CycleLoad load = load_of_cycle(campaign, i);
@@ -56,22 +53,22 @@ LoadsOfCycle loads_of_cycle(const Campaign& campaign, int cycle) {
 Outcome wear_stage(const Campaign& campaign, int cycle, const std::filesystem::path& into) {
   const auto& mill = campaign.mill;
   const LoadsOfCycle loads = loads_of_cycle(campaign, cycle);
-  const auto& reversals = mill.campaign.reversal_times;
-  const double begin = milling_time_before(campaign, cycle);
-  const Rotation rotation = rotation_after(reversals, begin);
-  const auto evolution = wear::evolve(
-      loads.timed, lifter_area(mill.liner), mill.campaign,
-      time_to_reversal(reversals, begin).value_or(std::numeric_limits<double>::infinity()));
-  double end = begin;
+  const auto& plan = mill.campaign;
+  const LinerMoment first = moment_before(campaign, cycle);
+  const Rotation rotation = rotation_at(plan, first);
+  const LoadRange range = range_of_load(plan, first);
+  CampaignSettings limits = plan;
+  limits.height_limit = std::max(plan.height_limit, range.height);
+  const auto evolution = wear::evolve(loads.timed, lifter_area(mill.liner), limits, range.time);
+  LinerMoment last = first;
   KeptCycle kept{loads.newest.smoothed.moved_share, loads.newest.worn_by_load, {}};
   for (const auto& step : evolution.steps) {
     kept.steps.push_back({step.duration, step.removed_area, step.accounted_area, step.fallen_area,
                           as_turned(step.profile, rotation)});
-    end += step.duration;
+    last = {last.time + step.duration, lifter_height(step.profile)};
   }
   write_cycle(into / stage_files::steps, kept);
-  return outcome_from_end(evolution.end,
-                          reversals_by(reversals, end) > reversals_by(reversals, begin));
+  return outcome_of_steps(evolution.end, plan, limits, first, last);
 }
 
 }  // namespace millwear::orchestrator

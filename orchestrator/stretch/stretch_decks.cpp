@@ -4,6 +4,7 @@
 
 #include "liggghts_inputs/decks/charge_data.h"
 #include "mill/base/whole_file.h"
+#include "mill/case_file/case_lock.h"
 #include "mill/recording/recorder_orders.h"
 #include "orchestrator/campaign/mesh_files.h"
 #include "orchestrator/dem_run/charge_source.h"
@@ -18,6 +19,12 @@ namespace names = liggghts::file_names;
 const char* const mesh_from_stage = "../mesh/liner.stl";
 const char* const profile_from_stage = "../mesh/profile.csv";
 const char* const locked_case_from_stage = "../../case.lock.toml";
+/// The mill as it is operated in the stage, where that changes in the campaign.
+const char* const operated_case = "case_as_operated.toml";
+
+const char* case_from_stage(const Case& mill) {
+  return mill.campaign.operation.empty() ? locked_case_from_stage : operated_case;
+}
 
 std::string name_of_chunk(StageKind kind, int chunk) {
   return fmt::format(".{}.chunk_{}", name_of(kind), chunk);
@@ -25,7 +32,7 @@ std::string name_of_chunk(StageKind kind, int chunk) {
 
 /// The stage whose charge the measurement of a cycle begins with.
 StageId stage_before(const Campaign& campaign, int cycle) {
-  const bool is_mixed_anew = first_cycle_of_rotation(campaign, cycle) == cycle;
+  const bool is_mixed_anew = first_cycle_of_operation(campaign, cycle) == cycle;
   return is_mixed_anew ? StageId{cycle, StageKind::mix} : StageId{cycle - 1, StageKind::dem};
 }
 
@@ -40,7 +47,7 @@ std::string restart_before(const Campaign& campaign, int cycle, const liggghts::
 
 RecordingPlan recording_plan(const Case& mill, int ranks, const liggghts::StretchSteps& steps) {
   RecordingPlan plan{.deck = names::deck,
-                     .mill = locked_case_from_stage,
+                     .mill = case_from_stage(mill),
                      .liner = profile_from_stage,
                      .load = stage_files::load,
                      .events = {},
@@ -93,6 +100,11 @@ std::string write_mixing_deck(const Campaign& campaign, int cycle, const liggght
 void write_measuring_deck(const Campaign& campaign, int cycle, const liggghts::Chunk& chunk,
                           const fs::path& into) {
   const Case mill = case_of_stretch(campaign, {cycle, StageKind::dem});
+  if (!mill.campaign.operation.empty()) {
+    Case operated = mill;
+    operated.campaign.operation.clear();
+    write_file(into / operated_case, locked_case_text(operated));
+  }
   write_file(into / names::deck,
              liggghts::measuring_deck(mill, chunk.steps, dem_liner_of_cycle(campaign, cycle),
                                       restart_before(campaign, cycle, chunk), campaign.ranks));

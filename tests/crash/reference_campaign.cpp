@@ -61,6 +61,13 @@ fs::path partial_of(const fs::path& campaign, const StageName& stage) {
   return published.parent_path() / ("." + published.filename().string() + ".partial");
 }
 
+/// The crash mill for two cycles, with these lines at the end of its [campaign].
+std::string two_cycles(const std::string& lines) {
+  const std::string limit = "cycle_limit = 20";
+  std::string text = text_of(case_file);
+  return text.replace(text.find(limit), limit.size(), "cycle_limit = 2\n" + lines);
+}
+
 const ReferenceCampaign& ReferenceCampaign::get() {
   static const ReferenceCampaign reference(text_of(case_file));
   if (reference.stages().size() != 10)
@@ -79,13 +86,15 @@ const ReferenceCampaign& ReferenceCampaign::of_dumps() {
 }
 
 const ReferenceCampaign& ReferenceCampaign::of_a_reversal() {
-  static const ReferenceCampaign reference([] {
-    const std::string limit = "cycle_limit = 20";
-    std::string text = text_of(case_file);
-    return text.replace(
-        text.find(limit), limit.size(),
-        "cycle_limit = 2\nreversal_hours = [" + std::to_string(reversal_hours) + "]");
-  }());
+  static const ReferenceCampaign reference(
+      two_cycles("reversal_hours = [" + std::to_string(reversal_hours) + "]\n"));
+  return reference;
+}
+
+const ReferenceCampaign& ReferenceCampaign::of_a_change() {
+  static const ReferenceCampaign reference(
+      two_cycles("[[campaign.operation]]\nfrom_hours = " + std::to_string(reversal_hours) +
+                 "\nspeed_rpm = 40.0\ncounts = [18, 10]\n"));
   return reference;
 }
 

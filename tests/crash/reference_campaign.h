@@ -45,6 +45,9 @@ class ReferenceCampaign {
   /// The same mill, turned around at `reversal_hours` within its first cycle, for two cycles.
   static const ReferenceCampaign& of_a_reversal();
 
+  /// The same mill, sped up with fewer balls at `reversal_hours`, for two cycles.
+  static const ReferenceCampaign& of_a_change();
+
   /// All stages in the order they ran.
   [[nodiscard]] std::vector<StageName> stages() const;
   /// Makes `campaign` what it was when `stage` was about to begin.

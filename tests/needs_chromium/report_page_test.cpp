@@ -233,6 +233,29 @@ TEST_F(ReportPage, KeepsTheSettingsInItsAddress) {
   EXPECT_EQ(complaints(folder), std::vector<std::string>());
 }
 
+// Faster from the second cycle on, after ten days at rest: the charts appear, and the life's date
+// is ten days later than without.
+TEST_F(ReportPage, ShowsAnOperationThatChanges) {
+  auto campaign = synthetic_campaign(3, 2);
+  const std::string start = "#start=2026-01-01&axis=dates";
+  const auto operation = [](const std::string& page) {
+    return part_between(page, "id=\"operation\"", "Where these hits land");
+  };
+  const auto constant = drawn(report_html(campaign), folder, start);
+  EXPECT_NE(operation(constant).find("hidden"), std::string::npos);
+  EXPECT_NE(constant.find("on 1 Nov 2026"), std::string::npos);
+  for (auto& row : campaign.history) {
+    if (row.cycle == 0) continue;
+    row.speed = 12.16;
+    row.calendar_hours += 240.0;
+  }
+  const auto page = drawn(with_script(report_html(campaign), "drawAllPanels();"), folder, start);
+  EXPECT_EQ(operation(page).find("hidden"), std::string::npos);
+  EXPECT_EQ(count_of(operation(page), "class=\"series"), 2u);
+  EXPECT_NE(page.find("on 11 Nov 2026"), std::string::npos);
+  EXPECT_EQ(complaints(folder), std::vector<std::string>());
+}
+
 // A section of the worn liner, 52 lifters, 7800 kg/m3 and 1.679 Mt milled.
 TEST_F(ReportPage, SaysTheSteelWornForATonne) {
   const auto campaign = synthetic_campaign(3, 2);

@@ -106,6 +106,7 @@ HistoryRow history_at(double age, double charge_age, int cycle, int step, double
   return {.cycle = cycle,
           .step = step,
           .operating_hours = age * life_hours,
+          .calendar_hours = age * life_hours,
           .tonnes = age * life_hours * feed,
           .lifter_height = height_at(age),
           .face_angle = 0.18 + 0.75 * age,
@@ -129,7 +130,10 @@ HistoryRow history_at(double age, double charge_age, int cycle, int step, double
           .dead_zone_share = 0.25 - 0.18 * charge_age,
           .dead_zone_share_error = 0.02,
           .between_locked_share = 0.9 - 0.6 * charge_age,
-          .between_locked_share_error = 0.05};
+          .between_locked_share_error = 0.05,
+          .speed = 11.4,
+          .total_filling = 0.4,
+          .feed_rate = feed};
 }
 
 double area_under(const Points& points) {

@@ -40,6 +40,7 @@ ChargeOfCycle synthetic_charge(int cycle, double age, const LinerProfile& liner)
     for (std::size_t m = 0; m < maps.size(); ++m) maps[m].values[cell] = values[m];
   }
   return {.cycle = cycle,
+          .speed = speed,
           .liner = liner,
           .grid = grid,
           .maps = maps,

@@ -43,23 +43,23 @@ LinerBand band_after(const LinerReplicates& liners, double time) {
   return band;
 }
 
-/// The cycles that the band of one looks at, all of them of its rotation: their liners are one that
-/// wears.
+/// The cycles that the band of one looks at, all of them of its operation: their liners are one
+/// that wears under one charge.
 struct Aside {
   std::size_t first;
   std::size_t last;
 };
 
 Aside aside_of(std::span<const WornCycle> cycles, std::size_t cycle) {
-  const auto is_one_liner = [&](std::size_t other) {
-    return cycles[other].rotation == cycles[cycle].rotation;
+  const auto goes_on_to = [&](std::size_t next) {
+    return cycles[next].continues && cycles[next].rotation == cycles[next - 1].rotation;
   };
   Aside aside{cycle, cycle};
   while (aside.first > 0 && cycle - aside.first < band_looks_aside_before &&
-         is_one_liner(aside.first - 1))
+         goes_on_to(aside.first))
     --aside.first;
   while (aside.last + 1 < cycles.size() && aside.last - cycle < band_looks_aside_after &&
-         is_one_liner(aside.last + 1))
+         goes_on_to(aside.last + 1))
     ++aside.last;
   return aside;
 }
@@ -86,7 +86,7 @@ CycleBand band_of_cycle(std::span<const WornCycle> cycles, std::size_t i,
                         const LinerReplicates& before, Scheme scheme) {
   const WornCycle& cycle = cycles[i];
   const bool is_turned = i > 0 && cycle.rotation != cycles[i - 1].rotation;
-  const bool has_previous = i > 0 && !is_turned;
+  const bool has_previous = i > 0 && !is_turned && cycle.continues;
   std::vector<TimedLoad> loads;
   if (has_previous) loads.push_back(cycles[i - 1].load);
   loads.push_back(cycle.load);

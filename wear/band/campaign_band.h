@@ -25,6 +25,8 @@ struct WornCycle {
   Eigen::MatrixXd deviations;  ///< bins x replicates [m/s], of `rate_replicates`
   std::vector<WornStep> steps;
   Rotation rotation = Rotation::as_new;
+  /// The mill was operated the same way in the cycle before: their loads are of one charge.
+  bool continues = true;
 };
 
 /// What is not known of the liner after a step, on the liner as the DEM turns it. Standard errors

@@ -21,6 +21,7 @@ panel("worn-drawing", drawOriginalAndWorn);
 panel("history-table", fillHistory);
 startCharge();
 startMotion();
+startOperation();
 startLoad();
 panel("power-chart", drawPower);
 cyclePanel("power-series-chart", drawPowerSeries);

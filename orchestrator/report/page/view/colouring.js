@@ -33,14 +33,14 @@ function colouringByMaterial(classes) {
   return colouringByClass((one) => one.material, materials, materials.map((one, i) => materialColours[i % materialColours.length]), String);
 }
 
-/** What speed() [m/s] is in each of the campaigns. */
-const speedsText = (campaigns, speed) =>
-  [...new Set(campaigns.map((one) => significant(2)(inCampaign(one, speed))))].join(" and ") + " m/s";
+/** What speed(turning) [m/s] is in the cycles of the campaigns, whose mill turns with `turning` [rad/s]. */
+const speedsText = (campaigns, speed) => [...new Set(campaigns.flatMap((one) => inCampaign(one, () =>
+  data.charge.cycles.map(({speed: turning}) => significant(2)(speed(turning))))))].join(" and ") + " m/s";
 
 /** From 0 to `fast` [m/s]; what is faster has the last colour. */
 function colouringBySpeed(campaigns, fast) {
   const stops = d3.range(0, 9).map((i) => speedRamp(i / 8)).join(",");
-  const plates = speedsText(campaigns, () => data.charge.speed * data.sector.plate_radius);
+  const plates = speedsText(campaigns, (turning) => turning * data.sector.plate_radius);
   const palette = paletteOf((i) => speedRamp(i / 255));
   return {entry: 1, fast, palette: () => palette, legend: (place) => place.append(element("p", {class: "key"},
     element("span", {}, "0 ", element("i", {class: "ramp", style: `background:linear-gradient(90deg,${stops})`}),

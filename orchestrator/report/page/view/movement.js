@@ -1,10 +1,11 @@
-/** A particle moves with the mill where its velocity differs from the mill's rotation by less than this [m/s]. */
-const slipWithMill = () => data.charge.locked_slip * data.charge.speed * data.sector.plate_radius;
+/** A particle moves with the mill where its velocity differs from the mill's rotation, `turning` [rad/s], by less than
+ *  this [m/s]. */
+const slipWithMill = (turning) => data.charge.locked_slip * turning * data.sector.plate_radius;
 
 /** Calls visit(particle, speed [m/s], whether it moves with the mill) for every particle between all frames. */
-function eachMovement({places, particles, times}, visit) {
-  const {speed: turning, slice_length: slice} = data.charge;
-  const most = slipWithMill();
+function eachMovement({places, particles, times}, turning, visit) {
+  const slice = data.charge.slice_length;
+  const most = slipWithMill(turning);
   for (let frame = 1; frame < times.length; frame++) {
     const duration = times[frame] - times[frame - 1];
     for (let i = 0; i < particles; i++) {
@@ -27,11 +28,11 @@ function eachMovement({places, particles, times}, visit) {
  * Of all frames: fast, the speed [m/s] that 99 of 100 particles stay under; withMill, by material the share of its
  * mass that moves with the mill, [material, share].
  */
-function movementOf(frames) {
+function movementOf(frames, turning) {
   const speeds = new Float32Array(frames.particles * (frames.times.length - 1));
   const sums = data.charge.classes.map(() => ({all: 0, moving: 0}));
   let next = 0;
-  eachMovement(frames, (particle, speed, withMill) => {
+  eachMovement(frames, turning, (particle, speed, withMill) => {
     speeds[next++] = speed;
     const sum = sums[frames.classes[particle]];
     sum.all++;

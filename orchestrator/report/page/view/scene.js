@@ -17,7 +17,7 @@ function linerDrawing(gl, program, mesh) {
 }
 
 /** Uploads the particles of all frames; returns draw(uniforms, the first frame of the interval). */
-function sphereDrawing(gl, program, frames) {
+function sphereDrawing(gl, program, frames, turning) {
   const vertices = gl.createVertexArray();
   gl.bindVertexArray(vertices);
   filledBuffer(gl, frames.radii);
@@ -30,7 +30,7 @@ function sphereDrawing(gl, program, frames) {
     gl.vertexAttribDivisor(location, 1);
   }
   return (uniforms, interval) => {
-    useProgram(gl, program, {...uniforms, turning: data.charge.speed, slip: slipWithMill(), low: frames.low, slice: data.charge.slice_length});
+    useProgram(gl, program, {...uniforms, turning, slip: slipWithMill(turning), low: frames.low, slice: data.charge.slice_length});
     gl.bindVertexArray(vertices);
     gl.bindBuffer(gl.ARRAY_BUFFER, places);
     for (const location of [0, 1])
@@ -64,7 +64,7 @@ function chargeScene(canvas) {
   const uploaded = new Map();
   const drawingsOf = (one) => {
     if (!uploaded.has(one))
-      uploaded.set(one, {drawLiner: linerDrawing(gl, liner, one.mesh()), drawSpheres: sphereDrawing(gl, spheres, one.frames())});
+      uploaded.set(one, {drawLiner: linerDrawing(gl, liner, one.mesh()), drawSpheres: sphereDrawing(gl, spheres, one.frames(), one.charge.speed)});
     return uploaded.get(one);
   };
   gl.enable(gl.DEPTH_TEST);

@@ -2,7 +2,7 @@
 function viewedCharge(campaign, charge, name) {
   const once = (make) => { let made = null; return () => made || (made = inCampaign(campaign, make)); };
   const frames = once(() => decodedFrames(charge.frames));
-  return {campaign, charge, name, frames, mesh: once(() => sectorMesh(charge.liner)), movement: once(() => movementOf(frames()))};
+  return {campaign, charge, name, frames, mesh: once(() => sectorMesh(charge.liner)), movement: once(() => movementOf(frames(), charge.speed))};
 }
 
 const cycleText = (cycle) => `cycle ${cycle}, from ${hoursText(ageOfCycle(cycle))}`;

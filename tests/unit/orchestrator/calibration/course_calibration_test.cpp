@@ -225,11 +225,22 @@ TEST(CalibratedCourse, RefusesReplicatesOfAnotherCampaign) {
                ResultRejected);
 }
 
-TEST(CalibratedCourse, NotesThatReversalsAreDividedToo) {
-  Case turned = mill();
-  turned.campaign.reversal_times = {1.0e6};
-  const auto course = calibrated_course(turned, campaign(), {height(500.0, 0.14)}, {500.0});
-  EXPECT_THAT(course_text(course), HasSubstr("turned around"));
+TEST(CalibratedCourse, NotesThatHoursOfTheOperationAreDividedToo) {
+  const auto text_with = [](const CampaignSettings& plan) {
+    Case operated = mill();
+    operated.campaign = plan;
+    return course_text(calibrated_course(operated, campaign(), {height(500.0, 0.14)}, {500.0}));
+  };
+  const std::string note = "the operation changes at given hours";
+  CampaignSettings plan = mill().campaign;
+  EXPECT_THAT(text_with(plan), testing::Not(HasSubstr(note)));
+  plan.operation = {{.from_height = 0.1, .speed = 2.0}, {.from_time = 1.0e6, .feed_rate = 3.0}};
+  EXPECT_THAT(text_with(plan), testing::Not(HasSubstr(note)));
+  plan.operation.push_back({.from_time = 2.0e6, .speed = 2.0});
+  EXPECT_THAT(text_with(plan), HasSubstr(note));
+  plan.operation.clear();
+  plan.reversal_times = {1.0e6};
+  EXPECT_THAT(text_with(plan), HasSubstr(note));
 }
 
 // The report has it where the case says how far to calibrate, and a warning where it cannot.

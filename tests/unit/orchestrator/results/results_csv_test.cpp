@@ -36,6 +36,7 @@ HistoryRow example_row() {
   return {.cycle = 3,
           .step = 2,
           .operating_hours = 1.0 / 3.0,
+          .calendar_hours = 24.5,
           .tonnes = unknown,
           .lifter_height = 0.215,
           .face_angle = 12.5 * degree,
@@ -59,7 +60,10 @@ HistoryRow example_row() {
           .dead_zone_share = 0.18,
           .dead_zone_share_error = 0.02,
           .between_locked_share = 0.75,
-          .between_locked_share_error = unknown};
+          .between_locked_share_error = unknown,
+          .speed = 11.4,
+          .total_filling = 0.4,
+          .feed_rate = 230.0};
 }
 
 template <class Read>
@@ -73,17 +77,20 @@ std::string refusal(Read read) {
 }
 
 TEST_F(ResultsCsv, HistoryIsWrittenInTheUnitsOfItsColumns) {
-  EXPECT_EQ(history_csv({example_row()}),
-            "# millwear history 4\n"
-            "cycle,step,operating_hours,tonnes,lifter_height_m,face_angle_deg,plate_thickness_m,"
-            "worn_volume_m3_per_m,worn_fraction,roughness_m,power_w,shoulder_deg,toe_deg,"
-            "power_w_se,shoulder_deg_se,toe_deg_se,lifter_height_m_se,plate_thickness_m_se,"
-            "worn_volume_m3_per_m_se,airborne_share,airborne_share_se,bare_hit_power_w,"
-            "bare_hit_power_w_se,dead_zone_share,dead_zone_share_se,"
-            "between_lifters_locked_share,between_lifters_locked_share_se\n"
-            "3,2,0.3333333333333333,,0.215,12.5,0.0995,1e-07,0.1,0.00125,161250,52,221.5,1400,0.7,,"
-            "0.002,0."
-            "0005,,0.125,0.001,2500,30.5,0.18,0.02,0.75,\n");
+  EXPECT_EQ(
+      history_csv({example_row()}),
+      "# millwear history 5\n"
+      "cycle,step,operating_hours,calendar_hours,tonnes,lifter_height_m,face_angle_deg,plate_"
+      "thickness_m,"
+      "worn_volume_m3_per_m,worn_fraction,roughness_m,power_w,shoulder_deg,toe_deg,"
+      "power_w_se,shoulder_deg_se,toe_deg_se,lifter_height_m_se,plate_thickness_m_se,"
+      "worn_volume_m3_per_m_se,airborne_share,airborne_share_se,bare_hit_power_w,"
+      "bare_hit_power_w_se,dead_zone_share,dead_zone_share_se,"
+      "between_lifters_locked_share,between_lifters_locked_share_se,speed_rpm,total_filling,"
+      "feed_rate_t_per_h\n"
+      "3,2,0.3333333333333333,24.5,,0.215,12.5,0.0995,1e-07,0.1,0.00125,161250,52,221.5,1400,0.7,,"
+      "0.002,0."
+      "0005,,0.125,0.001,2500,30.5,0.18,0.02,0.75,,11.4,0.4,230\n");
 }
 
 TEST_F(ResultsCsv, HistoryReadsBackAsItWas) {
@@ -117,6 +124,10 @@ TEST_F(ResultsCsv, HistoryReadsBackAsItWas) {
   EXPECT_EQ(rows[0].dead_zone_share_error, wanted.dead_zone_share_error);
   EXPECT_EQ(rows[0].between_locked_share, wanted.between_locked_share);
   EXPECT_TRUE(std::isnan(rows[0].between_locked_share_error));
+  EXPECT_EQ(rows[0].calendar_hours, wanted.calendar_hours);
+  EXPECT_EQ(rows[0].speed, wanted.speed);
+  EXPECT_EQ(rows[0].total_filling, wanted.total_filling);
+  EXPECT_EQ(rows[0].feed_rate, wanted.feed_rate);
 }
 
 TEST_F(ResultsCsv, ReadingAndWritingAgainChangesNoByte) {
@@ -151,11 +162,11 @@ TEST_F(ResultsCsv, ProfilesReadBackAsTheyWere) {
 
 TEST_F(ResultsCsv, AnotherVersionIsRefusedWithItsLine) {
   auto text = history_csv({example_row()});
-  text.replace(text.find(" 4\n"), 3, " 2\n");
+  text.replace(text.find(" 5\n"), 3, " 2\n");
   write(text);
   EXPECT_THAT(refusal([this] { (void)read_history_csv(file); }),
               AllOf(StartsWith(file.string() + ":1: "), HasSubstr("millwear history 2"),
-                    HasSubstr("millwear history 4")));
+                    HasSubstr("millwear history 5")));
 }
 
 TEST_F(ResultsCsv, OtherColumnsAreRefusedWithTheirLine) {

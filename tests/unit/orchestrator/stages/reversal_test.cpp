@@ -106,13 +106,13 @@ TEST_F(TurningCampaign, WithoutReversalsWearsOneFace) {
   EXPECT_GT(milling_time_before(campaign, 1), turn_time);
   EXPECT_EQ(rotation_of_cycle(campaign, 1), Rotation::as_new);
   EXPECT_EQ(dem_liner_of_cycle(campaign, 1).nodes, liner_of_cycle(campaign, 1).nodes);
-  EXPECT_EQ(first_cycle_of_rotation(campaign, 1), 0);
+  EXPECT_EQ(first_cycle_of_operation(campaign, 1), 0);
 }
 
 // The DEM of the cycle after a reversal stands on the mirror image, and starts from its own mixing.
 TEST_F(TurningCampaign, BeginsTheReversedDemAnewOnTheMirrorImage) {
   static_cast<void>(wear(0));
-  EXPECT_EQ(first_cycle_of_rotation(campaign, 1), 1);
+  EXPECT_EQ(first_cycle_of_operation(campaign, 1), 1);
   const auto mesh = campaign.folder.stage({1, StageKind::mesh});
   make_folder(mesh);
   mesh_stage(campaign, 1, mesh);

@@ -1,5 +1,5 @@
 # millwear from the shell. `make help` says what there is.
-.PHONY: all build demo study seed-spacing seed seed-check test unit slurm-test sanitize coverage check-style bench install clean help
+.PHONY: all build demo study seed-spacing seed seed-check validate test unit slurm-test sanitize coverage check-style bench install clean help
 
 PROGRAM := build/release/millwear
 DEMO_CASE := cases/pilot_mill/case.toml
@@ -35,6 +35,12 @@ seed: build ## Simulate the 8 m mill's liner from new to worn out, once for each
 seed-check: build ## Compare the 8 m mill's kept campaigns with its published gauge readings
 	@$(PROGRAM) compare cases/$(SEED)/case.toml --calibrate-until 5112 \
 	  $(patsubst %,--out %,$(wildcard cases/$(SEED)/reference/seed_*))
+
+validate: build ## Simulate the published experiments of cases/validation; resumes, and prints a table
+	@scripts/install_packages.sh test
+	@cmake --preset ci >/dev/null
+	@cmake --build --preset ci --target validation_table
+	@scripts/validate.sh runs/validation
 
 test: ## Install what is missing, build with warnings as errors and run every test
 	@scripts/install_packages.sh test

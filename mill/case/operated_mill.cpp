@@ -9,7 +9,6 @@
 #include "mill/case/case_units.h"
 
 namespace millwear {
-
 namespace {
 
 /// "from 3000 h on"

@@ -80,7 +80,7 @@ double tonnes_milled(std::optional<double> first_rate, std::span<const Operating
     rate = changes[i].feed_rate.value_or(rate);
   }
   mill_until(hours);
-  return hours > 0.0 || first_rate ? tonnes : rate * hours;
+  return std::isnan(rate) ? rate : tonnes;
 }
 
 std::vector<double> begun_hours_after(std::span<const OperatingChange> changes,

@@ -16,8 +16,8 @@ struct OperatingChange {
   std::optional<double> from_height{};  ///< once the lifter is worn to this height [m]
   std::optional<double> speed{};        ///< [rad/s]
   std::vector<std::size_t> counts{};    ///< particles of each class of the charge, in its order;
-                                      ///< empty where the charge stays
-  std::optional<double> feed_rate{};  ///< [kg/s]
+                                        ///< empty where the charge stays
+  std::optional<double> feed_rate{};    ///< [kg/s]
   std::optional<Rotation> rotation{};
   double idle_time = 0.0;  ///< that the mill stands still before it goes on [s]
 };

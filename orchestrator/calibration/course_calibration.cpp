@@ -93,19 +93,25 @@ CourseUse use_of(double hours, double until) {
   return hours <= until ? CourseUse::calibrated : CourseUse::held_out;
 }
 
-/// Root mean squares over the held-out heights that are predicted.
+/// Root mean squares and mean percentages over the held-out heights that are predicted.
 void sum_up(CalibratedCourse& course) {
   double squares = 0.0;
   double line_squares = 0.0;
+  double shares = 0.0;
+  double line_shares = 0.0;
   for (const CourseReading& reading : course.readings) {
     if (!reading.height || reading.use != CourseUse::held_out) continue;
     if (std::isnan(reading.predicted.value)) continue;
     ++course.held_out;
     squares += std::pow(reading.predicted.value - *reading.height, 2);
     line_squares += std::pow(reading.line - *reading.height, 2);
+    shares += std::abs(reading.predicted.value / *reading.height - 1.0);
+    line_shares += std::abs(reading.line / *reading.height - 1.0);
   }
   course.rms = course.held_out > 0 ? std::sqrt(squares / course.held_out) : nan;
   course.line_rms = course.held_out > 0 ? std::sqrt(line_squares / course.held_out) : nan;
+  course.mape = course.held_out > 0 ? shares / course.held_out : nan;
+  course.line_mape = course.held_out > 0 ? line_shares / course.held_out : nan;
 }
 
 }  // namespace

@@ -108,6 +108,8 @@ std::string course_json(const CalibratedCourse& course) {
               {"held_out", course.held_out},
               {"rms_height_m", number_or_null(course.rms)},
               {"line_rms_height_m", number_or_null(course.line_rms)},
+              {"mape_height", number_or_null(course.mape)},
+              {"line_mape_height", number_or_null(course.line_mape)},
               {"height_limit_m", course.height_limit},
               {"life_hours", json_of(course.life)},
               {"line_life_hours", number_or_null(course.line_life)},

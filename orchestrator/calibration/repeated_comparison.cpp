@@ -59,9 +59,10 @@ std::string verdict(const RepeatedCourses& repeats) {
   for (const CalibratedCourse& course : repeats.courses) each.push_back(1e3 * course.rms);
   return fmt::format(
       "{} held-out reading{}: the mean is off by {:.1f} mm (rms), each campaign by {} mm, the "
-      "straight line by {:.1f} mm.\n",
+      "straight line by {:.1f} mm.\n{}\n",
       repeats.held_out, repeats.held_out == 1 ? "" : "s", 1e3 * repeats.rms,
-      numbers(each, "{:.1f}"), 1e3 * repeats.line_rms);
+      numbers(each, "{:.1f}"), 1e3 * repeats.line_rms,
+      percentages_of(repeats.mape, repeats.line_mape));
 }
 
 Json json_of(const Repeated& repeated) {
@@ -125,6 +126,8 @@ std::string repeated_json(const RepeatedCourses& repeats) {
               {"rms_height_m", number_or_null(repeats.rms)},
               {"rms_height_m_each", rms},
               {"line_rms_height_m", number_or_null(repeats.line_rms)},
+              {"mape_height", number_or_null(repeats.mape)},
+              {"line_mape_height", number_or_null(repeats.line_mape)},
               {"height_limit_m", first.height_limit},
               {"life_hours", json_of(repeats.life)}}
       .dump(1);

@@ -43,6 +43,15 @@ double rms(const RepeatedCourses& repeats, Off off) {
   return repeats.held_out > 0 ? std::sqrt(squares / repeats.held_out) : nan;
 }
 
+/// Mean of the relative errors of what `off` gives for the same heights.
+template <class Off>
+double mape(const RepeatedCourses& repeats, Off off) {
+  double shares = 0.0;
+  for (const RepeatedReading& reading : repeats.readings)
+    if (is_judged(reading)) shares += std::abs(off(reading) / *reading.height - 1.0);
+  return repeats.held_out > 0 ? shares / repeats.held_out : nan;
+}
+
 Case as_if_seed_one(Case mill) {
   mill.name.clear();
   mill.dem.seed = 1;
@@ -79,7 +88,7 @@ RepeatedCourses repeated_courses(std::vector<CalibratedCourse> courses,
   expect(courses.size() > 1 && seeds.size() == courses.size(),
          "repeats are two courses or more, each with its seed");
   const auto& first = courses.front();
-  RepeatedCourses made{{}, std::move(seeds), {}, {}, {}, 0, nan, nan};
+  RepeatedCourses made{{}, std::move(seeds), {}, {}, {}, 0, nan, nan, nan, nan};
   made.factor = repeated(courses, [](const auto& course) { return course.factor; });
   made.life = repeated(courses, [](const auto& course) { return course.life; });
   for (std::size_t i = 0; i < first.readings.size(); ++i) {
@@ -94,6 +103,8 @@ RepeatedCourses repeated_courses(std::vector<CalibratedCourse> courses,
   made.held_out = static_cast<int>(std::ranges::count_if(made.readings, is_judged));
   made.rms = rms(made, [](const RepeatedReading& reading) { return reading.predicted.mean; });
   made.line_rms = rms(made, [](const RepeatedReading& reading) { return reading.line; });
+  made.mape = mape(made, [](const RepeatedReading& reading) { return reading.predicted.mean; });
+  made.line_mape = mape(made, [](const RepeatedReading& reading) { return reading.line; });
   made.courses = std::move(courses);
   return made;
 }

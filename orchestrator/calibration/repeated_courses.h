@@ -35,9 +35,11 @@ struct RepeatedCourses {
   Repeated factor;
   Repeated life;  ///< to the height limit [h]
   std::vector<RepeatedReading> readings;
-  int held_out;     ///< readings of a height that are held out and that all campaigns predict
-  double rms;       ///< of their mean less the height measured, over the held-out readings [m]
-  double line_rms;  ///< of the straight line's, over the same [m]
+  int held_out;      ///< readings of a height that are held out and that all campaigns predict
+  double rms;        ///< of their mean less the height measured, over the held-out readings [m]
+  double line_rms;   ///< of the straight line's, over the same [m]
+  double mape;       ///< mean of |their mean less measured| / measured over these readings [-]
+  double line_mape;  ///< of the straight line's, over the same [-]
 };
 
 /// A held-out height that every campaign predicts: what repeats are judged by.

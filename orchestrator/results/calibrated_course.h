@@ -63,7 +63,9 @@ struct CalibratedCourse {
   int beyond;                       ///< readings after the campaign's last liner, which say nothing
   double rms;                       ///< of predicted less measured heights that are held out [m]
   double line_rms;                  ///< of the straight line's, for the same readings [m]
-  double height_limit;              ///< [m], from the new plate
+  double mape;          ///< mean of |predicted less measured| / measured over these readings [-]
+  double line_mape;     ///< of the straight line's, for the same readings [-]
+  double height_limit;  ///< [m], from the new plate
   Banded life;          ///< to that height [h]; unknown where the campaign does not reach it
   double line_life;     ///< by the straight line; unknown for a gauge on the worn plate
   std::string verdict;  ///< prediction against straight line, in words

@@ -106,6 +106,25 @@ ChargeFields sum_of(const ChargeFields& first, const ChargeFields& second) {
   return sum;
 }
 
+double interpolated(const ChargeFields& fields, FieldSum sum, const Eigen::Vector2d& place) {
+  const SectionGrid& grid = fields.grid;
+  const Eigen::Vector2d at = (place.array() + grid.half_width) / grid.cell_size() - 0.5;
+  const auto inside = [&](double line) {
+    return std::clamp(static_cast<Eigen::Index>(line), Eigen::Index{0},
+                      Eigen::Index{grid.cells} - 1);
+  };
+  const Eigen::Vector2d low = at.array().floor();
+  const Eigen::Vector2d share = at - low;
+  double value = 0.0;
+  for (const int right : {0, 1})
+    for (const int above : {0, 1})
+      value += (right == 1 ? share.x() : 1.0 - share.x()) *
+               (above == 1 ? share.y() : 1.0 - share.y()) *
+               fields.sums(inside(low.x() + right) + grid.cells * inside(low.y() + above),
+                           static_cast<Eigen::Index>(sum));
+  return value;
+}
+
 FieldMap map_of(const ChargeFields& fields) {
   const Eigen::ArrayXd mass = sum(fields, FieldSum::mass);
   const auto of_mass = [&](const auto& values) -> VectorXd {

@@ -79,6 +79,10 @@ class ChargeFieldSums {
 /// (std::logic_error).
 [[nodiscard]] ChargeFields sum_of(const ChargeFields& first, const ChargeFields& second);
 
+/// A sum at a place (x, z) [m], between the middles of the four cells around it.
+[[nodiscard]] double interpolated(const ChargeFields& fields, FieldSum sum,
+                                  const Eigen::Vector2d& place);
+
 /// What is drawn of the fields, a value a cell; NaN where no particle came.
 struct FieldMap {
   Eigen::VectorXd occupied;      ///< share of the time that a place is inside of a particle [-]

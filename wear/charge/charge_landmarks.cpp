@@ -34,31 +34,13 @@ double coordinate(const SectionGrid& grid, double line) {
   return (line + 0.5) * grid.cell_size() - grid.half_width;
 }
 
-/// The value between the middles of the four cells around a place.
-double interpolated(const Grid& values, const SectionGrid& grid, const Vector2d& place) {
-  const Vector2d at = (place.array() + grid.half_width) / grid.cell_size() - 0.5;
-  const auto inside = [&](double line) {
-    return std::clamp(static_cast<Index>(line), Index{0}, Index{grid.cells} - 1);
-  };
-  const Vector2d low = at.array().floor();
-  const Vector2d share = at - low;
-  double value = 0.0;
-  for (const int right : {0, 1})
-    for (const int above : {0, 1})
-      value += (right == 1 ? share.x() : 1.0 - share.x()) *
-               (above == 1 ? share.y() : 1.0 - share.y()) *
-               values(inside(low.x() + right), inside(low.y() + above));
-  return value;
-}
-
 /// The occupied share on a circle, by degree from six o'clock along the rotation.
 VectorXd occupied_around(const ChargeFields& fields, double radius) {
-  const Grid solid = grid_of(fields, FieldSum::solid);
   VectorXd raw(degrees);
   for (Index i = 0; i < degrees; ++i) {
     const double angle = static_cast<double>(i) * pi / 180.0;
-    raw[i] =
-        interpolated(solid, fields.grid, {-radius * std::sin(angle), -radius * std::cos(angle)});
+    raw[i] = interpolated(fields, FieldSum::solid,
+                          {-radius * std::sin(angle), -radius * std::cos(angle)});
   }
   return running_mean(raw, smoothed_over);
 }

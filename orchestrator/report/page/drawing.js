@@ -22,7 +22,7 @@ function sectorDrawing(container, width, name, crest, head) {
   const reach = d3.extent(d3.merge([shell, plate]), (p) => p[0]);
   const top = Math.max(crest, d3.max(plate, (p) => p[1])) + 0.04 * (reach[1] - reach[0]);
   const bottom = -steel - 0.025 * (reach[1] - reach[0]);
-  const margin = {left: 46, right: 8, top: head, bottom: 44};
+  const margin = {left: 46, right: 8, top: head + 6, bottom: 44};
   const pixels = Math.min((width - margin.left - margin.right) / (reach[1] - reach[0]), 700 / (top - bottom));
   const right = margin.left + pixels * (reach[1] - reach[0]);
   const frame = {left: margin.left, right, top: margin.top, bottom: margin.top + pixels * (top - bottom)};
@@ -31,7 +31,7 @@ function sectorDrawing(container, width, name, crest, head) {
   const svg = canvas(container, width, frame.bottom + margin.bottom, name);
   axes(svg, frame, x.copy().domain(reach.map(inLength)), y.copy().domain([bottom, top].map(inLength)),
     {x: `along the direction of rotation → [${lengthUnit()}]`, value: "", y: frame.bottom + 38});
-  svg.append("text").attr({x: 0, y: frame.top - 8}).text(`height over the new plate [${lengthUnit()}]`);
+  svg.append("text").attr({x: 0, y: frame.top - 13}).text(`height over the new plate [${lengthUnit()}]`);
 
   const path = d3.svg.line().defined((p) => known(p[0]) && known(p[1])).x((p) => x(p[0])).y((p) => y(p[1]));
   const outside = arc(data.sector.shell_radius + 0.012 * (reach[1] - reach[0]));

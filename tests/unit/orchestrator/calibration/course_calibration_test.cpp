@@ -115,6 +115,9 @@ TEST(CalibratedCourse, HoldsPredictionAndStraightLineAgainstWhatIsHeldOut) {
   EXPECT_NEAR(course.rms, std::sqrt(10.0) * 1e-3, 1e-9);
   EXPECT_NEAR(course.line_rms, std::sqrt(2329.0) * 1e-3, 1e-9);
   EXPECT_THAT(course.verdict, HasSubstr("The prediction is better by 45.1 mm (93 %)"));
+  EXPECT_NEAR(course.mape, 0.5 * (2.0 / 142.0 + 4.0 / 40.0), 1e-9);
+  EXPECT_NEAR(course.line_mape, 0.5 * (13.0 / 142.0 + 67.0 / 40.0), 1e-9);
+  EXPECT_THAT(course.verdict, HasSubstr("prediction 5.7 %, straight line 88.3 %"));
   EXPECT_NEAR(course.line_life, (215.0 - 30.0) / 0.12, 1e-9);
 }
 

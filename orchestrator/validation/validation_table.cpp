@@ -28,7 +28,8 @@ std::string row_text(const std::string& experiment, const PublishedFigure& publi
 }  // namespace
 
 Validation kept_validation(const std::filesystem::path& folder) {
-  return {std::filesystem::canonical(folder).filename().string(), read_published_figures(folder / "published.csv"),
+  return {std::filesystem::canonical(folder).filename().string(),
+          read_published_figures(folder / "published.csv"),
           read_simulated_csv(folder / "simulated.csv")};
 }
 

@@ -17,7 +17,7 @@ namespace millwear::orchestrator {
 namespace {
 
 // Two particles, two frames. In 16 bits x runs from one end of `across` to the other, y of `along`.
-constexpr auto charge = R"({"speed": 1, "locked_slip": 0.05, "slice_length": 0.25, "classes": [
+constexpr auto charge = R"({"locked_slip": 0.05, "slice_length": 0.25, "classes": [
   {"name": "steel 60 mm", "material": "steel", "diameter": 0.06},
   {"name": "ore 100 mm", "material": "ore", "diameter": 0.1}], "cycles": [
   {"cycle": 0, "frames": FRAMES, "pictures": {"section": "data:image/png;base64,"}},
@@ -107,7 +107,7 @@ TEST_F(ChargeView, FindsTheIntervalOfATimeAndStaysInsideOfTheFrames) {
 TEST_F(ChargeView, TellsWhatMovesWithTheMillAcrossTheEndOfTheSlice) {
   const auto movement = value_of(
       "movementOf({particles: 2, times: [0, 0.1], classes: [0, 0],"
-      "places: [-3, 0.24, 0, 0, 0.1, -3, -3, 0.001, 0.3, 0, 0.1, -3]})");
+      "places: [-3, 0.24, 0, 0, 0.1, -3, -3, 0.001, 0.3, 0, 0.1, -3]}, 1)");
   EXPECT_EQ(movement["withMill"].size(), 1u);
   EXPECT_EQ(movement["withMill"][0][0].get<std::string>(), "steel");
   EXPECT_NEAR(movement["withMill"][0][1].get<double>(), 0.5, 1e-12);

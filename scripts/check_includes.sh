@@ -54,7 +54,7 @@ orchestrator/comparison: mill orchestrator/campaign orchestrator/charge orchestr
 orchestrator/postprocess: mill meshgen liggghts_inputs/outputs wear orchestrator/process orchestrator/campaign orchestrator/dem_run
 orchestrator/gauge: mill meshgen wear orchestrator/results
 orchestrator/calibration: mill wear orchestrator/campaign orchestrator/dem_run orchestrator/results orchestrator/gauge
-orchestrator/validation: mill wear/charge orchestrator/campaign orchestrator/charge orchestrator/dem_run
+orchestrator/validation: mill orchestrator/campaign orchestrator/dem_run orchestrator/results
 orchestrator/study: mill liggghts_inputs wear orchestrator/process orchestrator/campaign orchestrator/dem_run orchestrator/loads orchestrator/results orchestrator/report
 orchestrator/cluster: mill orchestrator/process orchestrator/campaign orchestrator/dem_run orchestrator/study
 orchestrator/app: mill meshgen liggghts_inputs wear orchestrator

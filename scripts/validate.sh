@@ -10,7 +10,7 @@ table=${VALIDATION_TABLE:-build/ci/tests/validation/validation_table}
 if [ $# -gt 0 ]; then
   for folder in cases/validation/*/; do
     name=$(basename "$folder")
-    "$millwear" run "$folder/case.toml" --out "$1/$name"
+    "$millwear" run "$folder/case.toml" --ranks 2 --out "$1/$name"
     "$table" --keep "$folder" "$1/$name"
   done
 fi

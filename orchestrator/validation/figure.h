@@ -7,12 +7,10 @@ namespace millwear::orchestrator {
 
 /// What a mill is held against.
 enum class Quantity {
-  power,          ///< net, of the whole length [W]
-  shoulder,       ///< from three o'clock on the rising side [degrees]
-  toe,            ///< likewise
-  surface_angle,  ///< of a rolling bed [degrees]
-  surface_speed,  ///< down the slope [m/s]
-  turning_depth,  ///< below the axis, where the bed does not move [m]
+  power,       ///< net, of the whole length [W]
+  shoulder,    ///< from three o'clock on the rising side [degrees]
+  toe,         ///< likewise
+  face_angle,  ///< of the leading face where the lifter has worn to a given height [degrees]
 };
 
 /// As files name it, and as people read it.

@@ -35,16 +35,21 @@ std::vector<PublishedFigure> read_published_figures(const std::filesystem::path&
   const std::size_t value = needed_column(table, "value");
   const std::size_t error = needed_column(table, "error");
   const std::size_t length = needed_column(table, "mill_length_m");
+  const std::size_t height = needed_column(table, "lifter_height_m");
   const std::size_t source = needed_column(table, "source");
   std::vector<PublishedFigure> figures;
   for (const UserRow& row : table.rows) {
     PublishedFigure figure{quantity_in(table, row, quantity),
                            {number_in(table, row, value, "a number")},
                            optional_number(table, row, length),
+                           optional_number(table, row, height),
                            row.fields[source]};
     if (const auto known = optional_number(table, row, error)) figure.figure.error = *known;
     if (figure.quantity == Quantity::power && !figure.mill_length)
       refuse_line(file, row.line, "a power without `mill_length_m`; give the length of its mill");
+    if (figure.quantity == Quantity::face_angle && !figure.lifter_height)
+      refuse_line(file, row.line,
+                  "a face angle without `lifter_height_m`; give the height of its worn lifter");
     if (figure.source.empty())
       refuse_line(file, row.line, "a figure without a source; say who published it, and where");
     figures.push_back(std::move(figure));

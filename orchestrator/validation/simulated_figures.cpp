@@ -4,15 +4,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numbers>
-#include <optional>
+#include <stdexcept>
 
 #include "mill/base/csv_columns.h"
 #include "mill/base/failure.h"
-#include "orchestrator/charge/charge_of_cycle.h"
 #include "orchestrator/dem_run/measured.h"
-#include "wear/charge/bed_profile.h"
-#include "wear/charge/charge_record.h"
+#include "orchestrator/results/history.h"
 
 namespace millwear::orchestrator {
 namespace {
@@ -28,17 +27,32 @@ struct Row {
 constexpr std::string_view format = "millwear simulated figures 1";
 constexpr std::array<CsvColumn<Row>, 3> columns{{
     {"quantity", "", "as in `published.csv`", "", &Row::quantity},
-    {"value", "", "of the first measurement", "", &Row::value},
+    {"value", "", "of the first measurement, or of the worn liner", "", &Row::value},
     {"error", "", "its standard error; empty where it is not known", "", &Row::error},
 }};
 
-/// How the bed lay and flowed in the first measurement.
-wear::BedProfile bed_of(const Campaign& campaign) {
-  const auto record = wear::read_charge(
-      campaign.folder.stage({0, StageKind::dem}) / stage_files::charge, wear::ChargeParts::fields);
-  const auto& landmarks = charge_of_cycles(campaign, {0}).cycles.at(0).landmarks;
-  return wear::bed_profile_of(record.fields, landmarks.shoulder, landmarks.bulk_toe,
-                              campaign.mill.liner.sector.plate_radius);
+[[noreturn]] void refuse_short(const Campaign& campaign, std::string_view what) {
+  throw Failure(ExitCode::usage, fmt::format("{}: {}; let `millwear run` go on",
+                                             campaign.folder.root.string(), what));
+}
+
+Figure face_angle_at(double lifter_height, const Campaign& campaign) {
+  const auto history = read_history_csv(campaign.folder.root / "results" / "history.csv");
+  const auto after = std::ranges::find_if(
+      history, [&](const HistoryRow& row) { return row.lifter_height <= lifter_height; });
+  if (after == history.begin() || after == history.end())
+    refuse_short(campaign,
+                 fmt::format("the lifter has not worn to {:.0f} mm", 1e3 * lifter_height));
+  const HistoryRow& before = *std::prev(after);
+  const double share =
+      (before.lifter_height - lifter_height) / (before.lifter_height - after->lifter_height);
+  return {degrees * std::lerp(before.face_angle, after->face_angle, share)};
+}
+
+Measured first_measurement(const Campaign& campaign) {
+  const auto file = campaign.folder.stage({0, StageKind::dem}) / stage_files::measured;
+  if (!std::filesystem::exists(file)) refuse_short(campaign, "nothing is measured here yet");
+  return read_measured(file);
 }
 
 Figure figure_of(const PublishedFigure& published, const Campaign& campaign,
@@ -53,12 +67,8 @@ Figure figure_of(const PublishedFigure& published, const Campaign& campaign,
       return {degrees * charge.shoulder, degrees * charge.shoulder_error};
     case Quantity::toe:
       return {degrees * charge.toe, degrees * charge.toe_error};
-    case Quantity::surface_angle:
-      return {degrees * bed_of(campaign).surface_angle};
-    case Quantity::surface_speed:
-      return {bed_of(campaign).surface_speed};
-    case Quantity::turning_depth:
-      return {bed_of(campaign).turning_depth};
+    case Quantity::face_angle:
+      return face_angle_at(*published.lifter_height, campaign);
   }
   throw std::logic_error("a quantity of no kind");
 }
@@ -67,12 +77,7 @@ Figure figure_of(const PublishedFigure& published, const Campaign& campaign,
 
 SimulatedFigures simulated_figures(const Campaign& campaign,
                                    const std::vector<PublishedFigure>& published) {
-  const auto file = campaign.folder.stage({0, StageKind::dem}) / stage_files::measured;
-  if (!std::filesystem::exists(file))
-    throw Failure(ExitCode::usage,
-                  fmt::format("{}: nothing is measured here yet; let `millwear run` go on",
-                              campaign.folder.root.string()));
-  const Measured measured = read_measured(file);
+  const Measured measured = first_measurement(campaign);
   SimulatedFigures figures;
   for (const PublishedFigure& one : published)
     figures[one.quantity] = figure_of(one, campaign, measured);

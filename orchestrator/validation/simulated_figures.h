@@ -12,9 +12,10 @@ namespace millwear::orchestrator {
 
 using SimulatedFigures = std::map<Quantity, Figure>;
 
-/// What the first measurement of a campaign gives for each published quantity. A power is that of
-/// the slice times the mill's length over the slice's. Figures of the bed have no error.
-/// Throws Failure where the campaign has no measurement yet.
+/// What a campaign gives for each published quantity: of the charge what its first measurement
+/// gives, of the liner what its history gives, linearly between two geometry steps. A power is that
+/// of the slice times the mill's length over the slice's. A face angle has no error: its noise is
+/// that of other seeds. Throws Failure where the campaign has not come so far.
 [[nodiscard]] SimulatedFigures simulated_figures(const Campaign& campaign,
                                                  const std::vector<PublishedFigure>& published);
 

@@ -67,7 +67,8 @@ zones() {
 # The first kept profile of a campaign's RESULTS that is as low as HEIGHT_MM, as a profile's file.
 profile_at() {
   awk -F, -v height="$2" '
-    FNR == NR { if (/^[0-9]/) above[$1, $2] = 1e3 * $5; next }
+    FNR == NR { if (FNR == 2) for (i = 1; i <= NF; i++) column[$i] = i
+      if (/^[0-9]/) above[$1, $2] = 1e3 * $column["lifter_height_m"]; next }
     FNR == 1 { print "# millwear profile 1\nxi_m,eta_m" }
     /^[0-9]/ && !found && above[$1, $2] <= height { found = 1; cycle = $1; step = $2 }
     found && $1 == cycle && $2 == step { print $5 "," $6 }

@@ -39,6 +39,7 @@ Case cut_at_45_mm(const std::string& shell_diameter) {
     text.replace(at, old.size(), now);
   };
   replace("truncate_below_m = 0.022", "truncate_below_m = 0.045");
+  replace("0.00, 0.00, 0.00, 0.66,", "0.00, 0.10, 0.10, 0.46,");  // as printed
   replace("shell_diameter_m = 8.00", "shell_diameter_m = " + shell_diameter);
   return case_from_text(text, "cut.toml");
 }

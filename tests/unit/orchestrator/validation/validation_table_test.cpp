@@ -14,7 +14,7 @@ using testing::HasSubstr;
 class PublishedFigures : public testing::Test {
  protected:
   [[nodiscard]] std::vector<PublishedFigure> read(const std::string& lines) const {
-    write_file(file, "quantity,value,error,mill_length_m,source\n" + lines);
+    write_file(file, "quantity,value,error,mill_length_m,lifter_height_m,source\n" + lines);
     return read_published_figures(file);
   }
   [[nodiscard]] std::string refusal(const std::string& lines) const {
@@ -32,7 +32,7 @@ class PublishedFigures : public testing::Test {
 
 TEST_F(PublishedFigures, HaveAnErrorALengthAndASource) {
   const auto figures =
-      read("power_w,70,2,0.305,Steiner 1996\ntoe_deg,230,,,Morrell 1992  # table 4\n");
+      read("power_w,70,2,0.305,,Steiner 1996\ntoe_deg,230,,,,Morrell 1992  # table 4\n");
   ASSERT_EQ(figures.size(), 2u);
   EXPECT_EQ(figures[0].quantity, Quantity::power);
   EXPECT_EQ(figures[0].figure.value, 70.0);
@@ -43,40 +43,42 @@ TEST_F(PublishedFigures, HaveAnErrorALengthAndASource) {
 }
 
 TEST_F(PublishedFigures, WithoutASourceAreRefusedWithTheirLine) {
-  EXPECT_THAT(refusal("toe_deg,230,,,\n"), HasSubstr("published.csv:2: a figure without a source"));
+  EXPECT_THAT(refusal("toe_deg,230,,,,\n"),
+              HasSubstr("published.csv:2: a figure without a source"));
 }
 
-TEST_F(PublishedFigures, OfNoQuantityOrLengthAreRefused) {
-  EXPECT_THAT(refusal("tow_deg,230,,,x\n"), HasSubstr("`tow_deg` is no quantity"));
-  EXPECT_THAT(refusal("power_w,70,,,x\n"), HasSubstr("a power without `mill_length_m`"));
-  EXPECT_THAT(refusal("power_w,seventy,,1,x\n"), HasSubstr("`seventy` is not a number"));
+TEST_F(PublishedFigures, OfNoQuantityLengthOrHeightAreRefused) {
+  EXPECT_THAT(refusal("tow_deg,230,,,,x\n"), HasSubstr("`tow_deg` is no quantity"));
+  EXPECT_THAT(refusal("power_w,70,,,,x\n"), HasSubstr("a power without `mill_length_m`"));
+  EXPECT_THAT(refusal("face_angle_deg,47,,,,x\n"),
+              HasSubstr("a face angle without `lifter_height_m`"));
+  EXPECT_THAT(refusal("power_w,seventy,,1,,x\n"), HasSubstr("`seventy` is not a number"));
 }
 
 TEST(SimulatedFigures, ReadBackAsTheyAreKept) {
   const TemporaryFolder folder;
   const auto file = folder.path() / "simulated.csv";
-  write_file(file,
-             simulated_csv({{Quantity::power, {72.8, 0.3}}, {Quantity::surface_angle, {26.5}}}));
+  write_file(file, simulated_csv({{Quantity::power, {72.8, 0.3}}, {Quantity::face_angle, {26.5}}}));
   const auto figures = read_simulated_csv(file);
   EXPECT_EQ(figures.at(Quantity::power).value, 72.8);
   EXPECT_EQ(figures.at(Quantity::power).error, 0.3);
-  EXPECT_EQ(figures.at(Quantity::surface_angle).value, 26.5);
-  EXPECT_TRUE(std::isnan(figures.at(Quantity::surface_angle).error));
+  EXPECT_EQ(figures.at(Quantity::face_angle).value, 26.5);
+  EXPECT_TRUE(std::isnan(figures.at(Quantity::face_angle).error));
 }
 
 // Two standard errors of 70 +- 2 and 73 +- 0.3 are 4.04.
 TEST(ValidationVerdict, WeighsTheErrorsOfBoth) {
-  const PublishedFigure power{Quantity::power, {70.0, 2.0}, 0.305, "x"};
+  const PublishedFigure power{Quantity::power, {70.0, 2.0}, 0.305, {}, "x"};
   EXPECT_EQ(verdict_of(power, {74.0, 0.3}), "agrees (+5.7 %)");
   EXPECT_EQ(verdict_of(power, {74.1, 0.3}), "off (+5.9 %)");
-  const PublishedFigure toe{Quantity::toe, {230.0}, {}, "x"};
+  const PublishedFigure toe{Quantity::toe, {230.0}, {}, {}, "x"};
   EXPECT_EQ(verdict_of(toe, {226.0, 1.0}), "off (-4.0°)");
   EXPECT_EQ(verdict_of(toe, {}), "not found");
 }
 
 TEST(ValidationTable, HasARowForEveryPublishedFigure) {
   const Validation bond{"bond_mill",
-                        {{Quantity::power, {70.0, 2.0}, 0.305, "Steiner 1996"}},
+                        {{Quantity::power, {70.0, 2.0}, 0.305, {}, "Steiner 1996"}},
                         {{Quantity::power, {72.8, 0.3}}}};
   EXPECT_THAT(validation_table({bond}),
               HasSubstr("| bond_mill | net power, W | 70 ± 2 | 72.8 ± 0.3 | agrees (+4.0 %) | "

@@ -4,6 +4,8 @@
 
 #include "mill/base/failure.h"
 #include "mill/case/time_step.h"
+#include "mill/case_file/case_file.h"
+#include "mill/case_file/case_lock.h"
 #include "orchestrator/dem_run/tune_stage.h"
 #include "orchestrator/dem_run/tuning_file.h"
 #include "tests/support/example_case.h"
@@ -188,6 +190,9 @@ TEST_F(TunedCampaign, WritesLaterDecksWithTheChosenSettings) {
        {StageId{0, StageKind::dem}, StageId{3, StageKind::mix}, StageId{3, StageKind::dem}}) {
     EXPECT_EQ(case_of_stretch(campaign, stage).dem.skin, 0.02) << name_of(stage);
     EXPECT_EQ(case_of_stretch(campaign, stage).dem.rank_split, RankSplit::axis) << name_of(stage);
+    // A stage may write this case down for the recorder, which reads it like any other.
+    const std::string written = locked_case_text(case_of_stretch(campaign, stage));
+    EXPECT_NO_THROW(static_cast<void>(case_from_text(written, "written.toml")));
   }
 }
 

@@ -75,6 +75,34 @@ struct Remains {
   Paths pieces;
 };
 
+using Place = std::pair<ClipperLib::cInt, ClipperLib::cInt>;
+
+Place place_of(const IntPoint& point) { return {point.X, point.Y}; }
+
+Polygon polygon_of(const Grid& grid, const Path& path) {
+  Polygon polygon;
+  for (const IntPoint& point : path) polygon.push_back(grid.off(point));
+  return polygon;
+}
+
+/// Takes the steel off that hangs on a single point: where the surface comes back to a point,
+/// having gone around steel, which lies to its right.
+void drop_hanging_pieces(const Grid& grid, Path& surface, std::vector<Polygon>& dropped) {
+  std::map<Place, std::size_t> seen;
+  for (std::size_t i = 0; i < surface.size(); ++i) {
+    const auto [earlier, is_new] = seen.try_emplace(place_of(surface[i]), i);
+    if (is_new) continue;
+    const auto from = surface.begin() + static_cast<std::ptrdiff_t>(earlier->second);
+    const auto to = surface.begin() + static_cast<std::ptrdiff_t>(i);
+    const Path loop(from, to);
+    if (ClipperLib::Area(loop) > 0.0) continue;  // a pocket
+    if (area_of(loop) > least_piece) dropped.push_back(polygon_of(grid, loop));
+    for (auto point = from + 1; point != to; ++point) seen.erase(place_of(*point));
+    i = earlier->second;
+    surface.erase(from, to);
+  }
+}
+
 Remains remains_of(const Polygon& steel, const std::vector<Polygon>& swept) {
   for (const double turn : turns) {
     const Grid grid(turn);
@@ -105,31 +133,25 @@ SteelCut cut(const std::vector<Eigen::Vector2d>& surface,
     ClipperLib::ReversePath(piece);
     const auto start = std::find(piece.begin(), piece.end(), first);
     if (start == piece.end()) {
-      if (area_of(piece) > least_piece) {
-        Polygon& dropped = result.dropped.emplace_back();
-        for (const IntPoint& point : piece) dropped.push_back(grid.off(point));
-      }
+      if (area_of(piece) > least_piece) result.dropped.push_back(polygon_of(grid, piece));
       continue;
     }
     std::rotate(piece.begin(), start, piece.end());
     const auto end = std::find(piece.begin(), piece.end(), last);
     if (end == piece.end()) break;
-    for (auto point = piece.begin() + 1; point != end; ++point)
-      result.surface.push_back(grid.off(*point));
+    Path left(piece.begin() + 1, end);
+    drop_hanging_pieces(grid, left, result.dropped);
+    result.surface = polygon_of(grid, left);
   }
   if (result.surface.empty()) {
     throw ResultRejected(
         "the load takes more steel than there is under the profile; shorten the step");
   }
 
-  std::map<std::pair<ClipperLib::cInt, ClipperLib::cInt>, Eigen::Vector2d> old_nodes;
-  for (const auto& node : surface) {
-    const IntPoint place = grid.on(node);
-    old_nodes.emplace(std::pair(place.X, place.Y), node);
-  }
+  std::map<Place, Eigen::Vector2d> old_nodes;
+  for (const auto& node : surface) old_nodes.emplace(place_of(grid.on(node)), node);
   for (auto& node : result.surface) {
-    const IntPoint place = grid.on(node);
-    const auto old = old_nodes.find({place.X, place.Y});
+    const auto old = old_nodes.find(place_of(grid.on(node)));
     if (old != old_nodes.end()) node = old->second;
   }
   return result;

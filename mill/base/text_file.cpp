@@ -1,6 +1,7 @@
 #include "mill/base/text_file.h"
 
 #include <fmt/format.h>
+#include <iconv.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -40,6 +41,29 @@ bool is_control(char c) {
   return (byte < 0x20 && c != '\t' && c != '\n' && c != '\r') || byte == 0x7f;
 }
 
+constexpr std::string_view utf8_mark = "\xef\xbb\xbf";
+
+bool has_utf16_mark(std::string_view bytes) {
+  return bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff");
+}
+
+std::string from_utf16(std::string bytes, const std::filesystem::path& file) {
+  const iconv_t conversion = iconv_open("UTF-8", "UTF-16");
+  std::string text(2 * bytes.size(), '\0');  // a unit of two bytes becomes three at most
+  char* in = bytes.data();
+  char* out = text.data();
+  std::size_t in_left = bytes.size();
+  std::size_t out_left = text.size();
+  const std::size_t failed = iconv(conversion, &in, &in_left, &out, &out_left);
+  iconv_close(conversion);
+  if (failed == static_cast<std::size_t>(-1))
+    throw InputError(
+        fmt::format("{}:1: the file begins like UTF-16 and is not (at byte {}); save it as UTF-8",
+                    file.string(), bytes.size() - in_left));
+  text.resize(text.size() - out_left);
+  return text;
+}
+
 }  // namespace
 
 void check_plain_text(std::string_view text, const std::filesystem::path& file) {
@@ -75,6 +99,8 @@ std::string read_text_file(const std::filesystem::path& file, std::size_t larges
                     "one mill or one profile a file",
                     file.string(), largest / 1024, largest / 1024));
   }
+  if (has_utf16_mark(text)) text = from_utf16(std::move(text), file);
+  if (text.starts_with(utf8_mark)) text.erase(0, utf8_mark.size());
   check_plain_text(text, file);
   return text;
 }

@@ -50,7 +50,7 @@ constexpr std::array<Column, 23> columns{{
 
 const Column* column_called(std::string_view name) {
   for (const Column& column : columns)
-    if (column.name == name) return &column;
+    if (column.name == lower_case(name)) return &column;
   return nullptr;
 }
 

@@ -100,6 +100,14 @@ LinerProfile completed_profile(const LinerSector& sector, std::vector<Eigen::Vec
     snap_to_edges(sector, nodes);
   } else if (!at_edges && std::abs(off_plate(trailing)) <= tolerance &&
              std::abs(off_plate(leading)) <= tolerance) {
+    const bool is_plate = std::ranges::all_of(
+        nodes, [&](const Eigen::Vector2d& node) { return off_plate(node) >= -tolerance; });
+    if (is_plate)
+      throw InputError(
+          fmt::format("no lifter stands on the profile: all of it lies within {:g} mm of the "
+                      "plate, and it ends "
+                      "before the sector edges; is a part of it missing?",
+                      tolerance * 1e3));
     for (int side = 0; side < 2; ++side) {
       if (off_edge(nodes.front()) > tolerance) {
         extend_to_trailing_edge(sector, nodes);

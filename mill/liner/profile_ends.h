@@ -13,7 +13,8 @@ inline constexpr double profile_end_tolerance = 1e-3;
 ///   circle and joined to the edges by its arc;
 /// - ends at the edges with the same radius within `tolerance` are put on the same point of two
 ///   neighbouring pitches. Ends that already are, to rounding, stay as they are to the bit.
-/// Throws InputError if the ends are neither, or there are fewer than three nodes.
+/// Throws InputError if the ends are neither, if nothing stands between ends on the plate, and for
+/// fewer than three nodes.
 [[nodiscard]] LinerProfile completed_profile(const LinerSector& sector,
                                              std::vector<Eigen::Vector2d> nodes,
                                              double tolerance = profile_end_tolerance);

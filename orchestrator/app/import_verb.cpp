@@ -128,8 +128,8 @@ void print_text(const ImportRequest& request, const ImportedReading& imported) {
 }  // namespace
 
 void add_options(CLI::App& verb, ImportOptions& options) {
-  const std::map<std::string, LengthUnit> units{{"m", LengthUnit::metre},
-                                                {"mm", LengthUnit::millimetre}};
+  std::map<std::string, LengthUnit> units;
+  for (const LengthUnitName& name : length_units()) units.emplace(name.symbol, name.unit);
   const std::map<std::string, AlignmentMode> modes{
       {"none", AlignmentMode::none}, {"ends", AlignmentMode::ends}, {"fit", AlignmentMode::fit}};
   add_options(verb, options.common);
@@ -138,7 +138,7 @@ void add_options(CLI::App& verb, ImportOptions& options) {
   verb.add_option("--hours", options.hours, "Operating hours since the liner was new")
       ->required()
       ->check(CLI::Range(0.0, most_hours));
-  verb.add_option("--unit", options.unit, "Unit of x and y, or of a DXF: m or mm")
+  verb.add_option("--unit", options.unit, "Unit of x and y, or of a DXF: m, mm, cm, in or ft")
       ->transform(CLI::CheckedTransformer(units).description(""));
   verb.add_option("--layer", options.layer, "Layer of a DXF that the profile is on");
   verb.add_option("--align", options.align,

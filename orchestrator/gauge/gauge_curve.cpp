@@ -17,8 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-double metres_per(LengthUnit unit) { return unit == LengthUnit::metre ? 1.0 : 1e-3; }
-
 bool is_dxf(const fs::path& path) {
   std::string ending = path.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
@@ -26,31 +24,11 @@ bool is_dxf(const fs::path& path) {
   return ending == ".dxf";
 }
 
-GaugeCurve curve_in_csv(const CurveFile& file) {
-  const UserTable table = user_table(read_text_file(file.path, largest_curve_file), file.path);
-  const auto xi = column_named(table, "xi_m");
-  const auto eta = column_named(table, "eta_m");
-  const auto x = column_named(table, "x");
-  const auto y = column_named(table, "y");
-  const bool in_master_frame = xi && eta;
-  const int head = std::max(table.header.line, 1);
-  if (!in_master_frame && !(x && y))
-    refuse_line(file.path, head,
-                "the header names neither `xi_m` and `eta_m` (the master frame, in metres) nor `x` "
-                "and `y`; it reads `x,y`, then a point a line");
-  if (in_master_frame && file.unit.value_or(LengthUnit::metre) != LengthUnit::metre)
-    refuse_line(file.path, head,
-                "`xi_m` and `eta_m` are in metres and --unit says mm; name the columns `x,y`");
+CurveRows curve_in_table(const CurveFile& file) {
   if (file.layer)
     throw InputError(
         fmt::format("{}: --layer goes with a DXF only; leave it out", file.path.string()));
-  const double scale = in_master_frame ? 1.0 : metres_per(file.unit.value_or(LengthUnit::metre));
-  GaugeCurve curve{{}, in_master_frame};
-  for (const UserRow& row : table.rows)
-    curve.nodes.emplace_back(
-        scale * number_in(table, row, in_master_frame ? *xi : *x, "a length, such as 215.0"),
-        scale * number_in(table, row, in_master_frame ? *eta : *y, "a length, such as 215.0"));
-  return curve;
+  return curve_rows(read_text_file(file.path, largest_curve_file), file.path, file.unit);
 }
 
 std::string layers_of(const meshgen::DxfDrawing& drawing) {
@@ -84,7 +62,7 @@ const meshgen::DxfPolyline& polyline_of(const CurveFile& file, const meshgen::Dx
   return *found.front();
 }
 
-GaugeCurve curve_in_dxf(const CurveFile& file) {
+CurveRows curve_in_dxf(const CurveFile& file) {
   if (!fs::is_regular_file(file.path))
     throw InputError(fmt::format("{}: there is no such file; check its name", file.path.string()));
   if (fs::file_size(file.path) > largest_curve_file)
@@ -92,11 +70,11 @@ GaugeCurve curve_in_dxf(const CurveFile& file) {
                                  file.path.string(), largest_curve_file >> 20));
   const auto drawing = meshgen::read_dxf_drawing(file.path);
   const auto& polyline = polyline_of(file, drawing);
-  const auto scale = file.unit ? metres_per(*file.unit) : drawing.metres_per_unit;
+  const auto scale = file.unit ? name_of(*file.unit).metres : drawing.metres_per_unit;
   if (!scale)
     throw InputError(fmt::format("{}: the drawing does not say its unit; say it with --unit",
                                  file.path.string()));
-  GaugeCurve curve{{}, false};
+  CurveRows curve{CurveFrame::own, {}, {}, false};
   for (const auto& node : polyline.nodes) {
     if (!node.allFinite())
       throw InputError(fmt::format("{}: a place of the polyline is no number; mend the drawing",
@@ -108,8 +86,8 @@ GaugeCurve curve_in_dxf(const CurveFile& file) {
 
 }  // namespace
 
-GaugeCurve read_gauge_curve(const CurveFile& file) {
-  return is_dxf(file.path) ? curve_in_dxf(file) : curve_in_csv(file);
+CurveRows read_gauge_curve(const CurveFile& file) {
+  return is_dxf(file.path) ? curve_in_dxf(file) : curve_in_table(file);
 }
 
 }  // namespace millwear::orchestrator

@@ -7,12 +7,14 @@
 
 #include "mill/base/failure.h"
 #include "mill/base/published_file.h"
+#include "mill/base/user_table.h"
 #include "mill/liner/profile_crossing.h"
 #include "mill/liner/profile_csv.h"
 #include "mill/liner/profile_ends.h"
 #include "mill/liner/profile_measures.h"
 #include "orchestrator/gauge/gauge_folder.h"
 #include "wear/gauge/alignment_fit.h"
+#include "wear/gauge/point_order.h"
 #include "wear/gauge/scan_thinning.h"
 
 namespace millwear::orchestrator {
@@ -46,7 +48,7 @@ struct Aligned {
   std::optional<wear::FitQuality> fit;
 };
 
-double end_tolerance(double error) { return std::max(profile_end_tolerance, 3.0 * error); }
+double end_tolerance(double error) { return std::max(profile_end_tolerance, error); }
 
 Aligned align(const Case& mill, const ImportRequest& request, AlignmentMode mode,
               const Curve& curve) {
@@ -84,16 +86,50 @@ Aligned align_thinned(const Case& mill, const ImportRequest& request, AlignmentM
   return aligned;
 }
 
-AlignmentMode mode_for(const ImportRequest& request, const GaugeCurve& curve) {
+/// Index of the point of `curve` that is nearest to `place`.
+std::size_t nearest_point(const Curve& curve, const Eigen::Vector2d& place) {
+  const auto nearest = std::ranges::min_element(
+      curve, {}, [&](const Eigen::Vector2d& node) { return (node - place).norm(); });
+  return static_cast<std::size_t>(nearest - curve.begin());
+}
+
+/// Refuses points that are not in the order of the profile.
+void check_order(const CurveRows& curve, const ImportRequest& request) {
+  constexpr double errors_a_loop = 2.0;
+  const Curve thinned = wear::thinned_scan(curve.nodes, request.error, most_nodes);
+  const bool is_averaged = thinned.size() != curve.nodes.size();
+  const double noise =
+      is_averaged ? wear::group_of_scan(curve.nodes, request.error, most_nodes) : request.error;
+  const auto disorder = wear::first_disorder(thinned, errors_a_loop * noise);
+  if (!disorder) return;
+  const std::size_t first = nearest_point(curve.nodes, thinned[disorder->first]);
+  const std::size_t last = nearest_point(curve.nodes, thinned[disorder->last]);
+  constexpr std::string_view what =
+      "are not in their order along the profile, which crosses itself or turns back there; list "
+      "them from one end to the other";
+  const fs::path& file = request.curve->path;
+  if (curve.lines.empty())
+    throw InputError(fmt::format("{}: the points from ({:.4g}, {:.4g}) to ({:.4g}, {:.4g}) m {}",
+                                 file.string(), curve.nodes[first].x(), curve.nodes[first].y(),
+                                 curve.nodes[last].x(), curve.nodes[last].y(), what));
+  refuse_line(
+      file, curve.lines[first],
+      fmt::format("the points of lines {} to {} {}", curve.lines[first], curve.lines[last], what));
+}
+
+AlignmentMode mode_for(const ImportRequest& request, const CurveRows& curve) {
   if (request.align != AlignmentMode::by_file) return request.align;
-  return curve.in_master_frame ? AlignmentMode::none : AlignmentMode::fit;
+  return curve.frame == CurveFrame::master ? AlignmentMode::none : AlignmentMode::fit;
 }
 
 void add_profile(const Case& mill, const ImportRequest& request, ImportedReading& imported) {
   const std::string file = request.curve->path.string();
-  GaugeCurve curve = read_gauge_curve(*request.curve);
+  CurveRows curve = read_gauge_curve(*request.curve);
   check_size(curve.nodes, mill.liner.sector, file);
   imported.points = curve.nodes.size();
+  if (curve.frame == CurveFrame::master)
+    check_has_both_ends(curve, mill.liner.sector, request.curve->path);
+  check_order(curve, request);
   curve.nodes.erase(std::unique(curve.nodes.begin(), curve.nodes.end()), curve.nodes.end());
   if (request.mirror) curve.nodes = wear::mirror_image(curve.nodes);
   try {

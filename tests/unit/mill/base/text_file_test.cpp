@@ -6,6 +6,8 @@
 #include <string>
 
 #include "mill/base/failure.h"
+#include "mill/base/whole_file.h"
+#include "tests/support/temporary_folder.h"
 
 namespace millwear {
 namespace {
@@ -35,6 +37,27 @@ TEST(PlainText, RefusesWhatIsNotUtf8) {
                                  "\xe2\x82", "\x80", "M\xfchle"}) {
     EXPECT_THAT(refusal(text), testing::HasSubstr("not UTF-8")) << in_quotes(text);
   }
+}
+
+class TextFile : public testing::Test {
+ protected:
+  [[nodiscard]] std::string read(std::string_view bytes) const {
+    write_file(file, std::string(bytes));
+    return read_text_file(file);
+  }
+  TemporaryFolder folder;
+  std::filesystem::path file = folder.path() / "scan.csv";
+};
+
+TEST_F(TextFile, IsTakenWithAByteOrderMark) { EXPECT_EQ(read("\xef\xbb\xbfx,y\n"), "x,y\n"); }
+
+TEST_F(TextFile, IsTakenAsUtf16) {
+  using std::string_view_literals::operator""sv;
+  EXPECT_EQ(read("\xff\xfex\0,\0\xfc\0"sv), "x,\xc3\xbc");
+  EXPECT_EQ(read("\xfe\xff\0x\0,\0\xfc"sv), "x,\xc3\xbc");
+  EXPECT_THAT([&] { static_cast<void>(read("\xff\xfex\0,"sv)); },
+              testing::ThrowsMessage<InputError>(
+                  testing::HasSubstr("scan.csv:1: the file begins like UTF-16 and is not")));
 }
 
 TEST(InQuotes, ShowsNoRawBytes) {

@@ -5,6 +5,7 @@
 #include <rapidcheck/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "mill/base/failure.h"
@@ -56,7 +57,14 @@ TEST_F(ProfileCsv, NamesTheLineOfAnError) {
   EXPECT_THAT(refusal("xi_m,eta_m\n0,nan\n"), testing::StartsWith(":2: `nan` is not a number"));
   EXPECT_THAT(refusal("xi_m,eta_m\n0.1\n"), testing::StartsWith(":2: 1 values where"));
   EXPECT_THAT(refusal("x,y\n0,0\n"), testing::StartsWith(":1: no column `xi_m`"));
-  EXPECT_THAT(refusal(""), testing::StartsWith(":1: the profile is empty"));
+  EXPECT_THAT(refusal(""), testing::StartsWith(":1: the table is empty"));
+}
+
+TEST_F(ProfileCsv, TakesAPointThatIsRepeatedOnce) {
+  std::ofstream(path_) << "xi_m,eta_m\n-0.06,0.003613\n-0.02,0.04\n-0.02,0.04\n0.02,0.04\n"
+                          "0.06,0.003613\n";
+  const LinerProfile read = read_profile_csv(path_, sector);
+  EXPECT_EQ(std::ranges::count(read.nodes, Eigen::Vector2d(-0.02, 0.04)), 1);
 }
 
 TEST_F(ProfileCsv, MissingFileIsNamed) {

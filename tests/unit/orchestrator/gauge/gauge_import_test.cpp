@@ -218,7 +218,7 @@ TEST_F(GaugeImport, NamesTheFileAndLineOfBadInput) {
   EXPECT_THAT(refused("x,y\n1,2\n1,two\n"), StartsWith(":3: `two` is not a number"));
   EXPECT_THAT(refused("x,y\n1\n"), StartsWith(":2: 1 values where"));
   EXPECT_THAT(refused("xi_m,eta_m\n0,0\n", LengthUnit::millimetre),
-              StartsWith(":1: `xi_m` and `eta_m` are in metres"));
+              StartsWith(":1: `xi_m` is in m and --unit says mm"));
   EXPECT_THAT(refused("x,y\n0,0\n0.1,0\n"), HasSubstr("2 points are no profile"));
   EXPECT_THAT(refused("x,y\n0,0\n120,40\n240,0\n"), HasSubstr("say its unit with --unit"));
   EXPECT_THAT(refused("xi_m,eta_m\n-0.05,0.02\n0,0.04\n0.05,0.02\n"),

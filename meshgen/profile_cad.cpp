@@ -8,7 +8,8 @@
 #include <iterator>
 #include <regex>
 
-#include "meshgen/dxf_polyline.h"
+#include "meshgen/drawing/drawing_profile.h"
+#include "meshgen/drawing/dxf_polyline.h"
 #include "meshgen/gmsh_kernel.h"
 #include "mill/base/failure.h"
 #include "mill/base/published_file.h"
@@ -63,9 +64,10 @@ void write_step(const LinerProfile& profile, double slice_length,
 void write_dxf(const LinerProfile& profile, const std::filesystem::path& path) {
   publish_written(path, [&](const std::filesystem::path& beside) {
     write_dxf_polyline(profile.nodes, layer, beside);
-    const auto nodes = read_dxf_polyline(layer, beside);
-    const bool same = std::ranges::equal(nodes, profile.nodes, [](const auto& a, const auto& b) {
-      return (a - b).norm() <= node_precision;
+    const double metres = name_of(LengthUnit::millimetre).metres;
+    const auto nodes = drawing_profile(beside, layer).nodes;
+    const bool same = std::ranges::equal(nodes, profile.nodes, [&](const auto& a, const auto& b) {
+      return (metres * a - b).norm() <= node_precision;
     });
     if (!same) {
       throw ResultRejected(

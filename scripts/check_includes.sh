@@ -16,7 +16,8 @@ mill/load: mill/base mill/liner mill/case
 mill/recording: mill/base mill/load
 mill/case_keys: mill/base mill/liner mill/case
 mill/case_file: mill/base mill/liner mill/case mill/load mill/case_keys
-meshgen: mill
+meshgen/drawing: mill
+meshgen: mill meshgen/drawing
 liggghts_inputs/decks: mill
 liggghts_inputs/outputs: mill liggghts_inputs/decks
 wear/numerics: mill/base mill/liner
@@ -66,7 +67,7 @@ includes() {  # file:line:included path, of every quoted include of a room in a 
     sed 's/#include "//'
 }
 
-for place in mill/* meshgen liggghts_inputs/* wear/* recorder/* orchestrator/*; do
+for place in mill/* meshgen/* meshgen liggghts_inputs/* wear/* recorder/* orchestrator/*; do
   [ -d "$place" ] && [ "$(basename "$place")" != bench ] || continue
   rule=$(echo "$rooms" | grep "^$place:" || true)
   if [ -z "$rule" ]; then
@@ -104,7 +105,8 @@ library() {
   done
 }
 library gmsh "gmsh\.h" meshgen/gmsh_kernel.cpp
-library dxflib "dxflib/|dl_" meshgen/dxf_polyline.cpp
+library dxflib "dxflib/|dl_" meshgen/drawing/dxf_polyline.cpp
+library GDAL "gdal|ogr|cpl_" meshgen/drawing/drawn_pieces.cpp
 library GSL "gsl/" wear/numerics/spline_basis.cpp wear/numerics/paper_spline.cpp wear/numerics/gsl_status.h
 library HDF5 "hdf5\.h|H5" $(echo wear/hdf5/*.cpp) wear/record/load_write.cpp wear/record/collision_store.cpp
 library Clipper "polyclipping/|clipper" wear/evolve/steel_cut.cpp wear/gauge/area_between.cpp

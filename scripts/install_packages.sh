@@ -5,7 +5,7 @@ set -eu
 
 for_running="build-essential cmake ninja-build pkg-config
   liggghts libliggghts-dev openmpi-bin libopenmpi-dev
-  libgmsh-dev libgsl-dev libhdf5-dev libeigen3-dev libpolyclipping-dev libdxflib-dev
+  libgmsh-dev libgsl-dev libhdf5-dev libeigen3-dev libpolyclipping-dev libdxflib-dev libgdal-dev
   libtomlplusplus-dev libcli11-dev libfmt-dev nlohmann-json3-dev libxxhash-dev libcereal-dev libdlib-dev zlib1g-dev
   gnuplot-nox tachyon-bin-nox libjs-d3 node-pako"
 for_testing="clang-format libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev libboost-dev chromium

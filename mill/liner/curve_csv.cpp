@@ -74,6 +74,28 @@ void check_is_not_cut_off(std::string_view text, const std::filesystem::path& fi
               "the last line does not end, so the file is cut off; copy it again");
 }
 
+std::size_t decimals_of(const UserTable& table, const std::string& number) {
+  const std::size_t sign = number.find(table.decimal);
+  return sign == std::string::npos ? 0 : number.size() - sign - 1;
+}
+
+/// Half of a number is a number. So where the last line does not end, its last number must have as
+/// many decimals as one of the others.
+void check_last_number_is_whole(std::string_view text, const UserTable& table) {
+  constexpr std::size_t rows_that_tell = 3;
+  if (text.ends_with('\n') || text.ends_with('\r') || table.rows.size() <= rows_that_tell) return;
+  const UserRow& last = table.rows.back();
+  const std::size_t decimals = decimals_of(table, last.fields.back());
+  const bool all_have_more = std::ranges::all_of(
+      table.rows.begin(), table.rows.end() - 1,
+      [&](const UserRow& row) { return decimals_of(table, row.fields.back()) > decimals; });
+  if (all_have_more)
+    refuse_line(table.file, last.line,
+                fmt::format("{} has fewer decimals than all before it, and its line does not end, "
+                            "so the file is cut off; copy it again",
+                            in_quotes(last.fields.back())));
+}
+
 }  // namespace
 
 CurveRows curve_rows(std::string_view text, const std::filesystem::path& file,
@@ -101,6 +123,7 @@ CurveRows curve_rows(std::string_view text, const std::filesystem::path& file,
                             in_quotes(table.header.fields[up->index])));
   const double across_scale = metres_per_unit(table, *across, frame, unit);
   const double up_scale = metres_per_unit(table, *up, frame, unit);
+  check_last_number_is_whole(text, table);
   CurveRows curve{frame, {}, {}, is_own(text)};
   constexpr std::string_view length = "a length, such as 0.215";
   for (const UserRow& row : table.rows) {

@@ -80,6 +80,7 @@ void print_json(const ImportRequest& request, const ImportedReading& imported) {
   if (reading.profile) {
     json["profile_csv"] = (request.folder / profile_name(reading.operating_hours)).string();
     json["points"] = imported.points;
+    json["left_out"] = imported.left_out;
     json["nodes"] = reading.profile->nodes.size();
     json["face_angle_rad"] = leading_face_angle(*reading.profile);
   }
@@ -112,6 +113,7 @@ void print_alignment(const ImportedReading& imported) {
 
 void print_text(const ImportRequest& request, const ImportedReading& imported) {
   const GaugeReading& reading = imported.reading;
+  for (const std::string& left : imported.left_out) fmt::print("Left out  {}\n", left);
   if (imported.alignment) print_alignment(imported);
   fmt::print("Reading   at {:g} h:", reading.operating_hours);
   if (reading.lifter_height) fmt::print(" lifter {:.1f} mm high,", 1e3 * *reading.lifter_height);

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "mill/base/length_unit.h"
 #include "mill/liner/curve_csv.h"
@@ -15,14 +16,21 @@ struct CurveFile {
   std::optional<std::string> layer;  ///< of a DXF
 };
 
-/// The largest file that is read [bytes].
+struct GaugeCurve {
+  CurveRows rows;
+  std::vector<std::string> drawn_as;  ///< the pieces of a drawing's curve
+  std::vector<std::string> left_out;  ///< of a drawing
+};
+
+/// The largest table that is read [bytes].
 inline constexpr std::size_t largest_curve_file = 16 * 1024 * 1024;
 
 /// Reads a curve:
 /// - a table with the columns xi and eta (the master frame) or x and y (mill/liner/curve_csv.h);
-/// - a DXF (by the ending) with one open polyline, or one on `layer`; its unit is `unit`, else the
-///   drawing's.
+/// - a DXF (by the ending), of which it takes the open curve (meshgen/drawing/drawing_profile.h);
+/// its
+///   unit is `unit`, else the drawing's.
 /// Throws InputError (file:line for a CSV), which says what would be right.
-[[nodiscard]] CurveRows read_gauge_curve(const CurveFile& file);
+[[nodiscard]] GaugeCurve read_gauge_curve(const CurveFile& file);
 
 }  // namespace millwear::orchestrator

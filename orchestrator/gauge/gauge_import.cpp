@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "mill/base/failure.h"
 #include "mill/base/published_file.h"
@@ -122,9 +123,20 @@ AlignmentMode mode_for(const ImportRequest& request, const CurveRows& curve) {
   return curve.frame == CurveFrame::master ? AlignmentMode::none : AlignmentMode::fit;
 }
 
+/// What a curve of several pieces is drawn as, for a message.
+std::string spoken_pieces(const std::vector<std::string>& pieces) {
+  constexpr std::size_t most = 8;
+  if (pieces.size() < 2) return {};
+  const std::span<const std::string> shown(pieces.data(), std::min(most, pieces.size()));
+  return fmt::format(" (the profile is drawn as {}{})", fmt::join(shown, ", "),
+                     pieces.size() > most ? fmt::format(" and {} more", pieces.size() - most) : "");
+}
+
 void add_profile(const Case& mill, const ImportRequest& request, ImportedReading& imported) {
   const std::string file = request.curve->path.string();
-  CurveRows curve = read_gauge_curve(*request.curve);
+  GaugeCurve drawn = read_gauge_curve(*request.curve);
+  imported.left_out = std::move(drawn.left_out);
+  CurveRows& curve = drawn.rows;
   check_size(curve.nodes, mill.liner.sector, file);
   imported.points = curve.nodes.size();
   if (curve.frame == CurveFrame::master)
@@ -140,7 +152,7 @@ void add_profile(const Case& mill, const ImportRequest& request, ImportedReading
     imported.alignment = std::move(aligned.curve);
     imported.fit = aligned.fit;
   } catch (const InputError& problem) {
-    throw InputError(fmt::format("{}: {}", file, problem.what()));
+    throw InputError(fmt::format("{}: {}{}", file, problem.what(), spoken_pieces(drawn.drawn_as)));
   }
 }
 
@@ -193,6 +205,7 @@ ImportedReading prepare_reading(const Case& mill, const ImportRequest& request) 
       {},
       {},
       0,
+      {},
       false,
       {}};
   if (request.curve) add_profile(mill, request, imported);

@@ -38,9 +38,10 @@ struct ImportedReading {
   GaugeReading reading;
   std::optional<wear::AlignedCurve> alignment;
   std::optional<wear::FitQuality> fit;
-  std::size_t points;           ///< of the curve in the file
-  bool replaces;                ///< there was a reading of the same hours
-  std::vector<GaugeRow> table;  ///< all rows, with this one in its place
+  std::size_t points;                 ///< of the curve in the file
+  std::vector<std::string> left_out;  ///< of a drawing
+  bool replaces;                      ///< there was a reading of the same hours
+  std::vector<GaugeRow> table;        ///< all rows, with this one in its place
 };
 
 /// Name of a reading's profile: profile_0005112h.csv.

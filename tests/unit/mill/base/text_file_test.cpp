@@ -45,7 +45,7 @@ class TextFile : public testing::Test {
     write_file(file, std::string(bytes));
     return read_text_file(file);
   }
-  TemporaryFolder folder;
+  orchestrator::TemporaryFolder folder;
   std::filesystem::path file = folder.path() / "scan.csv";
 };
 

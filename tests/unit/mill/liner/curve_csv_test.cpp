@@ -72,9 +72,20 @@ TEST(CurveCsv, RefusesWhatItWouldHaveToGuess) {
 TEST(CurveCsv, RefusesAFileOfItsOwnThatIsCutOff) {
   const std::string whole = "# millwear profile 1\nxi_m,eta_m\n0,0.215\n";
   EXPECT_TRUE(curve_rows(whole, "profile.csv").is_whole_pitch);
-  EXPECT_THAT([&] { static_cast<void>(curve_rows(whole.substr(0, 43), "profile.csv")); },
-              ThrowsMessage<InputError>(HasSubstr("profile.csv:3: the last line does not end")));
+  EXPECT_THAT(
+      [&] { static_cast<void>(curve_rows(whole.substr(0, whole.size() - 1), "profile.csv")); },
+      ThrowsMessage<InputError>(HasSubstr("profile.csv:3: the last line does not end")));
   EXPECT_FALSE(curve_rows("xi_m,eta_m\n0,0.215", "profile.csv").is_whole_pitch);
+}
+
+// Half of a number is a number: 0.0 in place of 0.00129 puts a point of the face on the plate.
+TEST(CurveCsv, RefusesALastNumberThatIsCutOff) {
+  const std::string rows = "xi_m,eta_m\n0.00,0.01584\n0.01,0.01315\n0.02,0.01070\n0.03,0.00";
+  EXPECT_THAT(
+      [&] { static_cast<void>(curve_rows(rows, "scan.csv")); },
+      ThrowsMessage<InputError>(HasSubstr("scan.csv:5: `0.00` has fewer decimals than all")));
+  EXPECT_EQ(curve_rows(rows + "851", "scan.csv").nodes.size(), 4U);
+  EXPECT_EQ(curve_rows(rows + "\n", "scan.csv").nodes.size(), 4U);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "meshgen/dxf_polyline.h"
+#include "meshgen/drawing/dxf_polyline.h"
 #include "mill/base/failure.h"
 #include "mill/liner/parametric_lifter.h"
 #include "mill/liner/profile_crossing.h"
@@ -178,7 +178,7 @@ TEST_F(GaugeImport, TakesADrawingInItsUnit) {
   ImportRequest wanted = request(5112, CurveFile{file, {}, "LINER"});
   EXPECT_NEAR(take(wanted).reading.lifter_height.value(), 0.025, 1e-4);
   wanted.curve->layer = "PLATE";
-  EXPECT_THAT(refusal(wanted), HasSubstr("no polyline is on layer `PLATE`; they are on `LINER`"));
+  EXPECT_THAT(refusal(wanted), HasSubstr("no curve is on layer `PLATE`; they are on `LINER`"));
   wanted.curve->layer = {};
   wanted.curve->unit = LengthUnit::metre;
   EXPECT_THAT(refusal(wanted), HasSubstr("say its unit with --unit"));
@@ -213,7 +213,7 @@ TEST_F(GaugeImport, NamesTheFileAndLineOfBadInput) {
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "gauge"));
     return problem.substr(std::min(problem.size(), file.string().size()));
   };
-  EXPECT_THAT(refused(""), StartsWith(":1: the header names neither"));
+  EXPECT_THAT(refused(""), StartsWith(":1: the table is empty"));
   EXPECT_THAT(refused("a,b\n1,2\n"), StartsWith(":1: the header names neither"));
   EXPECT_THAT(refused("x,y\n1,2\n1,two\n"), StartsWith(":3: `two` is not a number"));
   EXPECT_THAT(refused("x,y\n1\n"), StartsWith(":2: 1 values where"));

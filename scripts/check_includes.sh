@@ -106,7 +106,7 @@ library() {
 }
 library gmsh "gmsh\.h" meshgen/gmsh_kernel.cpp
 library dxflib "dxflib/|dl_" meshgen/drawing/dxf_polyline.cpp
-library GDAL "gdal|ogr|cpl_" meshgen/drawing/drawn_pieces.cpp
+library GDAL "(gdal_|ogr|cpl_)" meshgen/drawing/drawn_pieces.cpp
 library GSL "gsl/" wear/numerics/spline_basis.cpp wear/numerics/paper_spline.cpp wear/numerics/gsl_status.h
 library HDF5 "hdf5\.h|H5" $(echo wear/hdf5/*.cpp) wear/record/load_write.cpp wear/record/collision_store.cpp
 library Clipper "polyclipping/|clipper" wear/evolve/steel_cut.cpp wear/gauge/area_between.cpp

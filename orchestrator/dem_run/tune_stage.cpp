@@ -41,7 +41,8 @@ TrialBench bench_for(const Campaign& campaign, const fs::path& into,
   return {campaign, into, steps, mesh};
 }
 
-/// The mill with the settings of a trial, which is as if they had been given: nothing is left to try.
+/// The mill with the settings of a trial, which is as if they had been given: nothing is left to
+/// try.
 Case with_settings(Case mill, const DeckSettings& settings) {
   mill.dem.tune = false;
   mill.dem.skin = settings.skin;

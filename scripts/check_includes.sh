@@ -40,6 +40,7 @@ recorder/turning: recorder/liggghts
 recorder/walls: recorder/liggghts
 recorder/run: mill recorder/liggghts recorder/options recorder/balance recorder/neighbours recorder/pairs recorder/record recorder/turning recorder/walls
 orchestrator/process: mill/base
+orchestrator/drawing: mill meshgen/drawing wear/gauge
 orchestrator/campaign: mill meshgen wear orchestrator/process
 orchestrator/dem_run: mill liggghts_inputs wear orchestrator/process orchestrator/campaign
 orchestrator/stretch: mill liggghts_inputs wear orchestrator/process orchestrator/campaign orchestrator/dem_run
@@ -56,7 +57,7 @@ orchestrator/postprocess: mill meshgen liggghts_inputs/outputs wear orchestrator
 orchestrator/gauge: mill meshgen wear orchestrator/results
 orchestrator/calibration: mill wear orchestrator/campaign orchestrator/dem_run orchestrator/results orchestrator/gauge
 orchestrator/validation: mill orchestrator/campaign orchestrator/dem_run orchestrator/results
-orchestrator/study: mill liggghts_inputs wear orchestrator/process orchestrator/campaign orchestrator/dem_run orchestrator/loads orchestrator/results orchestrator/report
+orchestrator/study: mill orchestrator/drawing liggghts_inputs wear orchestrator/process orchestrator/campaign orchestrator/dem_run orchestrator/loads orchestrator/results orchestrator/report
 orchestrator/cluster: mill orchestrator/process orchestrator/campaign orchestrator/dem_run orchestrator/study
 orchestrator/app: mill meshgen liggghts_inputs wear orchestrator
 '

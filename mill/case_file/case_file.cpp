@@ -13,8 +13,8 @@
 
 namespace millwear {
 
-Case read_case(const std::filesystem::path& file) {
-  return case_from_document(read_case_document(file));
+Case read_case(const std::filesystem::path& file, const ReadDrawnLiner& draw) {
+  return case_from_document(read_case_document(file), draw);
 }
 
 Case case_from_text(std::string_view text, const std::filesystem::path& file) {
@@ -26,7 +26,7 @@ CaseDocument read_case_document(const std::filesystem::path& file) {
   return parse_case_document(read_text_file(file), file);
 }
 
-Case case_from_document(const CaseDocument& document) {
+Case case_from_document(const CaseDocument& document, const ReadDrawnLiner& draw) {
   CaseProblems problems(document.file);
   check_against_schema(document, problems);
   problems.throw_if_any();
@@ -37,7 +37,7 @@ Case case_from_document(const CaseDocument& document) {
   read_keys(top_keys(), document.find(""), result);
   read_keys(mill_keys(), document.find("mill"), result);
   read_keys(lifter_keys(), &lifter, result);
-  result.liner = build_liner(document, result.liner.sector, problems);
+  result.liner = build_liner(document, result.liner.sector, draw, problems);
   result.materials = build_materials(document, problems);
   result.dem = build_dem(document);
   result.campaign = build_campaign(document, problems);

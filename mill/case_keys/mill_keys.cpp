@@ -1,5 +1,6 @@
 #include "mill/case_keys/mill_keys.h"
 
+#include "mill/base/length_unit.h"
 #include "mill/case/case_units.h"
 
 namespace millwear {
@@ -32,6 +33,14 @@ key::Place<Case, double> plate_thickness_of_new() {
           [](const Case& mill) {
             return mill.liner.sector.shell_radius - mill.liner.sector.plate_radius;
           }};
+}
+
+KeyRow<LinerProfile> drawing_unit() {
+  std::string symbols;
+  for (const LengthUnitName& name : length_units())
+    symbols += (symbols.empty() ? "" : "|") + std::string(name.symbol);
+  return {.spec = {"", "profile_unit", KeyType::choice, Presence::optional, any_value,
+                   "unit of the drawing, in place of its own", "", symbols}};
 }
 
 }  // namespace
@@ -101,6 +110,20 @@ const std::vector<KeyRow<LinerProfile>>& lifter_profile_keys() {
        left_to_builder<Profile>(
            Presence::optional, KeyType::file, "profile_csv", any_value,
            "measured profile, columns `xi_m,eta_m`; path from this file's folder"),
+       left_to_builder<Profile>(Presence::optional, KeyType::file, "profile_dxf", any_value,
+                                "drawing of the new liner (DXF); path from this file's folder "
+                                "(how_to_describe_a_mill.md)"),
+       left_to_builder<Profile>(Presence::optional, KeyType::words, "profile_layer", any_value,
+                                "layer of the drawing that the profile is on"),
+       drawing_unit(),
+       left_to_builder<Profile>(
+           Presence::optional, KeyType::reals, "profile_origin", any_value,
+           "x and y, in the drawing's unit, of the place on the new plate at the lifter's centre, "
+           "with "
+           "y towards the mill's axis; without it the ends of the curve lie on the plate"),
+       left_to_builder<Profile>(Presence::defaulted, KeyType::boolean, "profile_mirrored",
+                                any_value, "the drawing's x runs against the direction of rotation",
+                                "false"),
        left_to_builder<Profile>(
            Presence::optional, KeyType::points, "nodes_m", between(-50.0, 50.0),
            "the profile's nodes [[xi, eta], ...] from the trailing side to the leading one [m]")});

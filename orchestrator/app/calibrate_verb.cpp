@@ -15,6 +15,7 @@
 #include "orchestrator/calibration/calibration_text.h"
 #include "orchestrator/campaign/open_campaign.h"
 #include "orchestrator/campaign/output_path.h"
+#include "orchestrator/drawing/drawn_liner_reader.h"
 #include "orchestrator/gauge/gauge_folder.h"
 
 namespace millwear::orchestrator {
@@ -224,7 +225,7 @@ void add_options(CLI::App& verb, CalibrateOptions& options) {
 }
 
 void calibrate_verb(const CalibrateOptions& options) {
-  const Case mill = read_case(options.common.case_file);
+  const Case mill = read_case(options.common.case_file, read_drawn_liner);
   const RunFolder folder = run_folder_of(mill, options.out);
   if (options.csv) check_output_file("--csv", *options.csv, {options.common.case_file});
   const auto readings = needed_readings_in(gauge_folder(mill, options.readings), mill);

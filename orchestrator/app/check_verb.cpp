@@ -11,14 +11,18 @@
 #include "mill/base/constants.h"
 #include "mill/base/number_or_null.h"
 #include "mill/case/operated_mill.h"
+#include "mill/case_file/case_build_liner.h"
 #include "mill/case_file/case_file.h"
 #include "mill/case_file/case_warnings.h"
 #include "mill/liner/profile_measures.h"
+#include "orchestrator/app/draw_verb.h"
 #include "orchestrator/campaign/mesh_files.h"
 #include "orchestrator/campaign/open_campaign.h"
+#include "orchestrator/campaign/output_path.h"
 #include "orchestrator/dem_run/charge_source.h"
 #include "orchestrator/dem_run/cost_estimate.h"
 #include "orchestrator/dem_run/rank_cost.h"
+#include "orchestrator/drawing/drawn_liner_reader.h"
 
 namespace millwear::orchestrator {
 namespace {
@@ -110,6 +114,14 @@ void print_operation(const Case& mill) {
              std::ranges::count_if(changes, asks_for_load), changes.size());
 }
 
+/// What of a drawn liner's drawing is left out.
+void print_left_out(const Case& mill) {
+  const auto drawn = drawn_liner_in(read_case_document(mill.file));
+  if (!drawn) return;
+  for (const std::string& left : left_out_of(*drawn))
+    fmt::print("  left out of {}: {}\n", drawn->file.filename().string(), left);
+}
+
 void print_check(const Case& mill, int ranks) {
   const auto& sector = mill.liner.sector;
   const auto plan = plan_steps(mill);
@@ -122,6 +134,7 @@ void print_check(const Case& mill, int ranks) {
       "Liner\n  {} lifters {:.1f} mm high, leading face {:.1f} deg off upright, plate {:.1f} mm\n",
       sector.rows, 1e3 * lifter_height(mill.liner),
       leading_face_angle(mill.liner) / radians_per_degree, 1e3 * plate_thickness(mill.liner));
+  print_left_out(mill);
   fmt::print("Speed\n  {:.2f} rpm, {:.1f} % of critical\n", mill.speed * 30.0 / std::numbers::pi,
              100.0 * critical_speed_fraction(mill));
   print_charge(mill);
@@ -211,6 +224,8 @@ void print_ranks(const std::vector<RankChoice>& choices) {
 
 void add_options(CLI::App& verb, CheckOptions& options) {
   add_options(verb, options.common);
+  verb.add_option("--picture", options.picture,
+                  "Draw the liner in its mill to scale, into this folder (as `draw` does)");
   verb.add_option("--ranks", options.ranks,
                   "Compare numbers of ranks (commas between them): time of a campaign, efficiency, "
                   "memory, core hours")
@@ -219,8 +234,12 @@ void add_options(CLI::App& verb, CheckOptions& options) {
 }
 
 void check_verb(const CheckOptions& options) {
-  const Case mill = read_case(options.common.case_file);
+  const Case mill = read_case(options.common.case_file, read_drawn_liner);
   check_liner_can_be_meshed(mill);
+  if (options.picture) {
+    check_output_folder("--picture", *options.picture);
+    publish_drawings(mill, *options.picture);
+  }
   if (mill.dem.charge_from) static_cast<void>(charge_source(mill, folder_of_charge(mill)));
   const int ranks = ranks_for(mill);
   const auto choices = rank_choices(mill, options.ranks);

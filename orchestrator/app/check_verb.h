@@ -1,4 +1,6 @@
 #pragma once
+#include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "orchestrator/app/common_options.h"
@@ -8,6 +10,7 @@ namespace millwear::orchestrator {
 /// What `millwear check` is told.
 struct CheckOptions {
   CommonOptions common;
+  std::optional<std::filesystem::path> picture;  ///< folder of the liner's drawings
   std::vector<int> ranks;  ///< to be compared; empty: what the case asks for, without a comparison
 };
 

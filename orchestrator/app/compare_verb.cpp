@@ -24,6 +24,7 @@
 #include "orchestrator/campaign/open_campaign.h"
 #include "orchestrator/campaign/output_path.h"
 #include "orchestrator/campaign/run_folder.h"
+#include "orchestrator/drawing/drawn_liner_reader.h"
 #include "orchestrator/gauge/gauge_comparison.h"
 #include "orchestrator/gauge/gauge_folder.h"
 #include "orchestrator/pictures/course_plot.h"
@@ -305,7 +306,7 @@ void compare_verb(const CompareOptions& options) {
     compare_campaigns(options.campaigns, options.page, options.common.form);
     return;
   }
-  const Case mill = read_case(options.common.case_file);
+  const Case mill = read_case(options.common.case_file, read_drawn_liner);
   check_usage(options, mill);
   if (options.compared_profiles.empty())
     compare_campaign(options, mill);

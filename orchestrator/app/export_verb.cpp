@@ -19,6 +19,7 @@
 #include "orchestrator/campaign/mesh_files.h"
 #include "orchestrator/campaign/open_campaign.h"
 #include "orchestrator/campaign/output_path.h"
+#include "orchestrator/drawing/drawn_liner_reader.h"
 #include "orchestrator/export/paraview_folder.h"
 #include "orchestrator/export/published_campaign.h"
 #include "orchestrator/pictures/charge_pictures.h"
@@ -165,7 +166,7 @@ void add_options(CLI::App& verb, ExportOptions& options) {
 void export_verb(const ExportOptions& options) {
   const auto files = liner_files(options);
   check_choice(options, !files.empty());
-  const Case mill = read_case(options.common.case_file);
+  const Case mill = read_case(options.common.case_file, read_drawn_liner);
   const RunFolder folder = run_folder_of(mill, options.out);
   check_places(options, files);
   const PublishedCampaign published = published_campaign(mill, folder);

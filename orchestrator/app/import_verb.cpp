@@ -12,6 +12,7 @@
 #include "mill/case_file/case_file.h"
 #include "mill/liner/profile_measures.h"
 #include "orchestrator/campaign/output_path.h"
+#include "orchestrator/drawing/drawn_liner_reader.h"
 #include "orchestrator/gauge/gauge_folder.h"
 #include "orchestrator/gauge/gauge_import.h"
 
@@ -158,7 +159,7 @@ void add_options(CLI::App& verb, ImportOptions& options) {
 }
 
 void import_verb(const ImportOptions& options) {
-  const Case mill = read_case(options.common.case_file);
+  const Case mill = read_case(options.common.case_file, read_drawn_liner);
   const ImportRequest request = request_of(options, mill);
   const ImportedReading imported = prepare_reading(mill, request);
   if (options.curve) check_is_not_overwritten(options, request);

@@ -7,6 +7,7 @@
 
 #include "mill/case_file/case_file.h"
 #include "mill/liner/profile_csv.h"
+#include "orchestrator/drawing/drawn_liner_reader.h"
 
 namespace millwear::orchestrator {
 
@@ -17,7 +18,7 @@ void add_worn_profile(CLI::App& verb, std::optional<std::filesystem::path>& prof
 
 Case case_with_profile(const CommonOptions& common,
                        const std::optional<std::filesystem::path>& profile) {
-  Case mill = read_case(common.case_file);
+  Case mill = read_case(common.case_file, read_drawn_liner);
   if (profile) mill.liner = read_profile_csv(*profile, mill.liner.sector);
   return mill;
 }

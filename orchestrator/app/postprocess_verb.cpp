@@ -13,6 +13,7 @@
 #include "mill/liner/profile_measures.h"
 #include "orchestrator/app/liner_choice.h"
 #include "orchestrator/campaign/output_path.h"
+#include "orchestrator/drawing/drawn_liner_reader.h"
 #include "orchestrator/postprocess/postprocess_dumps.h"
 
 namespace millwear::orchestrator {
@@ -115,7 +116,7 @@ void add_options(CLI::App& verb, PostprocessOptions& options) {
 }
 
 void postprocess_verb(const PostprocessOptions& options) {
-  const Case mill = read_case(options.common.case_file);
+  const Case mill = read_case(options.common.case_file, read_drawn_liner);
   const LinerProfile liner = case_with_profile(options.common, options.profile).liner;
   HandRun run = options.run;
   run.angle = options.angle_deg * radians_per_degree;

@@ -6,6 +6,7 @@
 #include "orchestrator/app/publication.h"
 #include "orchestrator/campaign/open_campaign.h"
 #include "orchestrator/campaign/run_lock.h"
+#include "orchestrator/drawing/drawn_liner_reader.h"
 
 namespace millwear::orchestrator {
 
@@ -21,7 +22,7 @@ void add_options(CLI::App& verb, ReportOptions& options) {
 }
 
 void report_verb(const ReportOptions& options) {
-  const Case mill = read_case(options.common.case_file);
+  const Case mill = read_case(options.common.case_file, read_drawn_liner);
   const RunFolder folder = run_folder_of(mill, options.out);
   const OpenCampaign opened = campaign_of(mill, folder);
   const RunLock lock(folder.lock());

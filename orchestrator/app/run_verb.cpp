@@ -23,6 +23,7 @@
 #include "orchestrator/dem_run/charge_source.h"
 #include "orchestrator/dem_run/cost_estimate.h"
 #include "orchestrator/dem_run/stretch_run.h"
+#include "orchestrator/drawing/drawn_liner_reader.h"
 #include "orchestrator/process/child_process.h"
 #include "orchestrator/process/host_name.h"
 #include "orchestrator/results/life_error.h"
@@ -158,7 +159,7 @@ void submit_campaign(const RunOptions& options, const Case& mill, const RunFolde
 }
 
 Case case_to_run(const RunOptions& options) {
-  Case mill = read_case(options.common.case_file);
+  Case mill = read_case(options.common.case_file, read_drawn_liner);
   if (options.seed) mill.dem.seed = *options.seed;
   return mill;
 }

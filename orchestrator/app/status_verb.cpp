@@ -16,6 +16,7 @@
 #include "orchestrator/campaign/run_lock.h"
 #include "orchestrator/campaign/stage_order.h"
 #include "orchestrator/dem_run/measured.h"
+#include "orchestrator/drawing/drawn_liner_reader.h"
 #include "orchestrator/stretch/chunk_run.h"
 #include "orchestrator/study/study_folder.h"
 
@@ -72,7 +73,7 @@ void status_verb(const StatusOptions& told) {
   const StatusOptions options = with_case_of_folder(told);
   if (const auto study = study_folder_of(options.common.case_file, options.out))
     return print_study_status(*study, options.common.form);
-  const Case mill = read_case(options.common.case_file);
+  const Case mill = read_case(options.common.case_file, read_drawn_liner);
   const RunFolder folder = run_folder_of(mill, options.out);
   const auto [campaign, ledger] = campaign_of(mill, folder);
   const bool running = is_locked(folder.lock());

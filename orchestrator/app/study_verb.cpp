@@ -16,6 +16,7 @@
 #include "orchestrator/campaign/run_lock.h"
 #include "orchestrator/cluster/study_jobs.h"
 #include "orchestrator/dem_run/stretch_run.h"
+#include "orchestrator/drawing/drawn_liner_reader.h"
 #include "orchestrator/process/usable_cores.h"
 #include "orchestrator/study/base_charge.h"
 #include "orchestrator/study/design_search.h"
@@ -290,7 +291,7 @@ void study_verb(const StudyOptions& options) {
   check_columns(study);
   const StudyFolder folder{options.out.empty() ? fs::path("studies") / study.name : options.out};
   check_output_folder("--out", folder.root);
-  const Case base = read_case(study.case_file);
+  const Case base = read_case(study.case_file, read_drawn_liner);
   const JobShare share = job_share(usable_cores(), options.jobs, base.dem.ranks);
   const bool is_search = study.combine == Combine::search;
   const StudyPlan plan = plan_so_far(folder, study);

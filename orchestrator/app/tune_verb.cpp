@@ -23,6 +23,7 @@
 #include "orchestrator/dem_run/stretch_run.h"
 #include "orchestrator/dem_run/tune_stage.h"
 #include "orchestrator/dem_run/tuning_file.h"
+#include "orchestrator/drawing/drawn_liner_reader.h"
 #include "orchestrator/process/child_process.h"
 #include "orchestrator/stages/run_stage.h"
 
@@ -114,7 +115,7 @@ void add_options(CLI::App& verb, TuneOptions& options) {
 }
 
 void tune_verb(const TuneOptions& options) {
-  const Case mill = read_case(options.common.case_file);
+  const Case mill = read_case(options.common.case_file, read_drawn_liner);
   check_liggghts_is_installed(mill.dem);
   const RunFolder source = run_folder_of(mill, options.out);
   const auto kept = campaign_up_to_mixing(source);

@@ -7,6 +7,7 @@
 #include "orchestrator/app/check_verb.h"
 #include "orchestrator/app/compare_verb.h"
 #include "orchestrator/app/deck_verb.h"
+#include "orchestrator/app/draw_verb.h"
 #include "orchestrator/app/export_verb.h"
 #include "orchestrator/app/import_verb.h"
 #include "orchestrator/app/mesh_verb.h"
@@ -39,6 +40,10 @@ constexpr std::array table{
          "  millwear mesh cases/pilot_mill/case.toml --out mesh\n"
          "  millwear mesh cases/pilot_mill/case.toml --profile worn.csv --out mesh",
          prepare<MeshOptions, mesh_verb>},
+    Verb{"draw", "Draw the liner in its mill to scale, with particles for size (SVG, PNG)",
+         "  millwear draw cases/pilot_mill/case.toml --out drawings\n"
+         "  millwear draw cases/pilot_mill/case.toml --profile worn.csv --out drawings",
+         prepare<DrawOptions, draw_verb>},
     Verb{"deck", "Write the mesh and the LIGGGHTS decks, to read or to run by hand",
          "  millwear deck cases/pilot_mill/case.toml --out deck\n"
          "  cd deck/cycle_000/mix && mpirun -np 2 liggghts -in deck.in",

@@ -13,6 +13,7 @@
 #include "orchestrator/calibration/reapplied_law.h"
 #include "orchestrator/campaign/open_campaign.h"
 #include "orchestrator/campaign/output_path.h"
+#include "orchestrator/drawing/drawn_liner_reader.h"
 
 namespace millwear::orchestrator {
 namespace {
@@ -99,7 +100,7 @@ void add_options(CLI::App& verb, WearOptions& options) {
 }
 
 void wear_verb(const WearOptions& options) {
-  const Case mill = read_case(options.common.case_file);
+  const Case mill = read_case(options.common.case_file, read_drawn_liner);
   const RunFolder folder = run_folder_of(mill, options.out);
   if (options.csv) check_output_file("--csv", *options.csv, {options.common.case_file});
   const ReappliedLaw law = reapply(mill, folder);

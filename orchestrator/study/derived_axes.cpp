@@ -11,6 +11,7 @@
 #include "mill/case_file/case_edit.h"
 #include "mill/case_file/case_file.h"
 #include "mill/liner/profile_measures.h"
+#include "orchestrator/drawing/drawn_liner_reader.h"
 #include "orchestrator/study/study_values.h"
 
 namespace millwear::orchestrator {
@@ -66,7 +67,7 @@ double lifter_spacing(const Case& mill) { return circumference(mill) / mill.line
 
 CaseDocument with_derived(const CaseDocument& document, std::string_view axis,
                           const CaseValue& value, DerivedChoice choice) {
-  const Case mill = case_from_document(document);
+  const Case mill = case_from_document(document, read_drawn_liner);
   const double number = number_above_zero(axis, value);
   if (axis == spacing_axis) return with_spacing(document, mill, number, value.line);
   if (axis == plate_width_axis)

@@ -19,6 +19,7 @@
 #include "orchestrator/campaign/ledger.h"
 #include "orchestrator/campaign/open_campaign.h"
 #include "orchestrator/dem_run/cost_estimate.h"
+#include "orchestrator/drawing/drawn_liner_reader.h"
 #include "orchestrator/study/derived_axes.h"
 #include "orchestrator/study/study_values.h"
 #include "wear/numerics/random_stream.h"
@@ -206,13 +207,13 @@ CaseDocument document_of_point(const Study& study, const CaseDocument& base,
 
 StudyPlan plan_of(const Study& study) {
   const CaseDocument base = read_case_document(study.case_file);
-  StudyPlan plan{study, case_from_document(base), point_values(study), {}};
+  StudyPlan plan{study, case_from_document(base, read_drawn_liner), point_values(study), {}};
   for (std::size_t i = 0; i < plan.points.size(); ++i) {
     const PointValues& point = plan.points[i];
     const CaseDocument document = document_of_point(study, base, point);
     Case mill;
     try {
-      mill = case_from_document(document);
+      mill = case_from_document(document, read_drawn_liner);
       take_charge(study, plan.base, mill);
     } catch (const InputError& problem) {
       refuse(study, point.values.empty() ? 1 : point.values.front().line,

@@ -15,6 +15,7 @@ mill/case: mill/base mill/liner
 mill/load: mill/base mill/liner mill/case
 mill/recording: mill/base mill/load
 mill/case_keys: mill/base mill/liner mill/case
+mill/new_case: mill/base
 mill/case_file: mill/base mill/liner mill/case mill/load mill/case_keys
 meshgen/drawing: mill
 meshgen: mill meshgen/drawing

@@ -11,6 +11,7 @@
 #include "orchestrator/app/export_verb.h"
 #include "orchestrator/app/import_verb.h"
 #include "orchestrator/app/mesh_verb.h"
+#include "orchestrator/app/new_verb.h"
 #include "orchestrator/app/postprocess_verb.h"
 #include "orchestrator/app/report_verb.h"
 #include "orchestrator/app/run_verb.h"
@@ -31,6 +32,13 @@ std::function<void()> prepare(CLI::App& command_line) {
 }
 
 constexpr std::array table{
+    Verb{"new",
+         "Write a first case file from a drawing or a few numbers, each line with its source",
+         "  millwear new my_mill.toml --shell-diameter 1 --rows 12 --filling 0.31 --balls "
+         "30:60,25:40\n"
+         "  millwear new my_mill.toml --from-drawing liner.dxf --shell-diameter 8 --rows 52 \\\n"
+         "    --speed-rpm 11.4 --balls \"90:39.9,63:47.3,45:12.8\" --filling 0.3",
+         prepare<NewOptions, new_verb>},
     Verb{"check", "Check a case and print what would be simulated: counts, time step, cost",
          "  millwear check cases/pilot_mill/case.toml\n"
          "  millwear check cases/seed_mill_8m/case.toml --json\n"

@@ -53,7 +53,7 @@ prepare() {
   ln -s "$programs/millwear" "$programs/millwear-recorder" build/release/
   PATH=$work/tree/build/release:$PATH
   [ "${PREPARE:-yes}" = yes ] || { cd "$sources"; return; }
-  cp -r "$sources/cases" .
+  cp -r "$sources/cases" "$sources/examples" .
   cp "$tests/small_mill.toml" my_mill.toml
   sed -e 's/"my_mill"/"pilot_mill"/; s/^cycle_limit.*/cycle_limit = 2/' my_mill.toml >cases/pilot_mill/case.toml
   millwear run --quiet my_mill.toml
@@ -144,6 +144,10 @@ for page in "$@"; do
       echo "\$ $command"
       cat "$work/printed"
     fi
+    # A campaign of the case that was written would take minutes.
+    case $command in
+      *"millwear new my_mill.toml"*) cp "$tests/small_mill.toml" "$work/page/my_mill.toml" ;;
+    esac
   done <"$work/commands"
 done
 exit $failed

@@ -19,6 +19,7 @@ namespace {
 LinerProfile build_parametric(const CaseTable& lifter, const LinerSector& sector) {
   ParametricLifter shape{};
   read_keys(lifter_shape_keys(), &lifter, shape);
+  read_keys(lifter_radius_keys(), &lifter, shape);
   return profile_of(
       sector, shape,
       boolean_value(lifter, "straight_plate") ? PlateShape::straight : PlateShape::arc);
@@ -52,6 +53,8 @@ void check_form(const CaseTable& lifter, CaseProblems& problems) {
   std::vector<std::string_view> present;
   for (const KeyRow<ParametricLifter>& row : lifter_shape_keys())
     (lifter.find(row.spec.key) == nullptr ? missing : present).push_back(row.spec.key);
+  for (const KeyRow<ParametricLifter>& row : lifter_radius_keys())
+    if (lifter.find(row.spec.key) != nullptr) present.push_back(row.spec.key);
   if (profiles.size() > 1) {
     problems.add(lifter.line,
                  fmt::format("[lifter] has {}; give one of them", in_backticks(profiles)));
@@ -70,6 +73,9 @@ void check_form(const CaseTable& lifter, CaseProblems& problems) {
                              "or give `profile_csv`, `profile_dxf` or `nodes_m`",
                              in_backticks(missing)));
   }
+  if (lifter.find("straight_plate") != nullptr && lifter.find("foot_radius_m") != nullptr)
+    problems.add(lifter.find("foot_radius_m")->line,
+                 "`foot_radius_m` goes with the plate's arc; delete it or `straight_plate`");
   if (lifter.find("profile_dxf") == nullptr)
     for (const std::string_view key : given(lifter, drawing_keys))
       problems.add(lifter.find(key)->line,

@@ -57,6 +57,7 @@ std::vector<KeySpec> all_keys() {
   append(specs, mill_keys());
   append(specs, lifter_keys());
   append(specs, lifter_shape_keys());
+  append(specs, lifter_radius_keys());
   append(specs, lifter_profile_keys());
   append(specs, material_keys());
   append(specs, pair_keys());

@@ -98,6 +98,16 @@ const std::vector<KeyRow<ParametricLifter>>& lifter_shape_keys() {
   return rows;
 }
 
+const std::vector<KeyRow<ParametricLifter>>& lifter_radius_keys() {
+  using Shape = ParametricLifter;
+  static const auto rows =
+      rows_of<Shape>("lifter", {optional("top_radius_m", in(&Shape::top_radius), positive,
+                                         "radius between the lifter's top and its faces [m]"),
+                                optional("foot_radius_m", in(&Shape::foot_radius), positive,
+                                         "radius between its faces and the plate [m]")});
+  return rows;
+}
+
 const std::vector<KeyRow<LinerProfile>>& lifter_profile_keys() {
   using Profile = LinerProfile;
   static const auto rows = rows_of<Profile>(

@@ -23,6 +23,9 @@ inline constexpr int case_format_version = 1;
 /// The keys of [lifter] of which a parametric one takes all.
 [[nodiscard]] const std::vector<KeyRow<ParametricLifter>>& lifter_shape_keys();
 
+/// The radii of such a lifter, which it may have.
+[[nodiscard]] const std::vector<KeyRow<ParametricLifter>>& lifter_radius_keys();
+
 /// The other keys of [lifter], all left to the builder.
 [[nodiscard]] const std::vector<KeyRow<LinerProfile>>& lifter_profile_keys();
 

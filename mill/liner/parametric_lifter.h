@@ -11,6 +11,8 @@ struct ParametricLifter {
   double top_width;            ///< [m]
   double leading_face_angle;   ///< [rad]
   double trailing_face_angle;  ///< [rad]
+  double top_radius = 0.0;     ///< between top and faces [m]
+  double foot_radius = 0.0;    ///< between faces and plate [m]; of an arc only
 };
 
 /// How the plate runs from one lifter to the next.
@@ -22,8 +24,10 @@ enum class PlateShape {
 /// The farthest a facet of the plate may lie from its circle [m].
 inline constexpr double plate_sagitta = 1e-4;
 
-/// The profile of `lifter` in its sector. Its faces end on the plate's circle.
-/// Throws InputError where the lifters of neighbouring rows overlap or reach the mill's axis.
+/// The profile of `lifter` in its sector. Its faces end on the plate's circle. Radii are cut into
+/// facets that lie within a hundredth of the radius of it.
+/// Throws InputError where the lifters of neighbouring rows overlap or reach the mill's axis, and
+/// where a radius finds no room.
 [[nodiscard]] LinerProfile profile_of(const LinerSector& sector, const ParametricLifter& lifter,
                                       PlateShape plate = PlateShape::arc);
 

@@ -259,6 +259,15 @@ TEST_F(Drawing, IsRefusedWhereSomethingIsBroken) {
   EXPECT_THAT(spline("40 0 40 0 40 0 40 1 40 0 40 1"), HasSubstr("the knots of a spline fall"));
 }
 
+TEST_F(Drawing, IsRefusedWhereItIsNoFileOrTooLarge) {
+  EXPECT_THAT([&] { static_cast<void>(drawing_profile(folder.path() / "none.dxf", {})); },
+              testing::ThrowsMessage<InputError>(HasSubstr("none.dxf: there is no such file")));
+  write_file(file, dxf(step));
+  std::filesystem::resize_file(file, 200 * 1024 * 1024);
+  EXPECT_THAT([&] { static_cast<void>(drawing_profile(file, {})); },
+              testing::ThrowsMessage<InputError>(HasSubstr("the file is over 64 MiB")));
+}
+
 TEST_F(Drawing, IsRefusedWhereTheProfileIsNotClear) {
   EXPECT_THAT(refusal(dxf("")), HasSubstr("nothing is drawn that could be a profile"));
   EXPECT_THAT(refusal(dxf("", block("STEP", step))), HasSubstr("insert the block"));

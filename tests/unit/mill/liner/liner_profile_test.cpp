@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "mill/base/failure.h"
 #include "mill/liner/parametric_lifter.h"
 #include "mill/liner/profile_measures.h"
 
@@ -95,6 +96,32 @@ TEST(LinerProfile, FaceAngleLeavesOutTheCorner) {
     }
   }
   EXPECT_NEAR(leading_face_angle(profile), 0.3, 1e-12);
+}
+
+// A radius r between lines that turn by q, in n facets, takes r^2 (tan(q/2) - n/2 sin(q/n)) off a
+// corner of the top and puts it into one of the feet. On a plate of 50 m the feet turn by as much.
+TEST(ParametricLifter, HasItsRadii) {
+  constexpr LinerSector flat{50.1, 50.0, 400};
+  constexpr double angle = 0.2;
+  const auto area = [&flat](double top, double foot) {
+    return lifter_area(profile_of(flat, {0.2, 0.15, angle, angle, top, foot}));
+  };
+  const double turn = 0.5 * std::numbers::pi - angle;
+  const double facets = std::ceil(turn / (2.0 * std::acos(0.99)));
+  const double corner = std::tan(0.5 * turn) - 0.5 * facets * std::sin(turn / facets);
+  const double plain = area(0.0, 0.0);
+  EXPECT_NEAR((plain - area(0.03, 0.0)) / (2.0 * 0.03 * 0.03 * corner), 1.0, 1e-9);
+  EXPECT_NEAR((area(0.0, 0.04) - plain) / (2.0 * 0.04 * 0.04 * corner), 1.0, 0.01);
+  const LinerProfile lifter = profile_of(flat, {0.2, 0.15, angle, angle, 0.03, 0.04});
+  EXPECT_NEAR(lifter_height(lifter), 0.2, 1e-9);
+  EXPECT_NEAR(leading_face_angle(lifter), angle, 0.02);
+}
+
+TEST(ParametricLifter, RefusesRadiiWithoutRoom) {
+  EXPECT_THROW(static_cast<void>(profile_of(sector, {0.04, 0.03, 0.2, 0.2, 0.03, 0.0})),
+               InputError);
+  EXPECT_THROW(static_cast<void>(profile_of(sector, {0.04, 0.1, 0.2, 0.2, 0.02, 0.04})),
+               InputError);
 }
 
 }  // namespace

@@ -32,8 +32,7 @@ std::function<void()> prepare(CLI::App& command_line) {
 }
 
 constexpr std::array table{
-    Verb{"new",
-         "Write a first case file from a drawing or a few numbers, each line with its source",
+    Verb{"new", "Write a first case file from a drawing or a few numbers",
          "  millwear new my_mill.toml --shell-diameter 1 --rows 12 --filling 0.31 --balls "
          "30:60,25:40\n"
          "  millwear new my_mill.toml --from-drawing liner.dxf --shell-diameter 8 --rows 52 \\\n"

@@ -50,10 +50,14 @@ TEST_P(Experiment, IsKeptWithAFigureForEveryPublishedOne) {
   }
 }
 
+// One load, but for an experiment on worn liners.
 TEST_P(Experiment, IsACaseThatRuns) {
   const Case mill = read_case(GetParam() / "case.toml");
   EXPECT_EQ(mill.name, GetParam().filename().string());
-  EXPECT_EQ(mill.campaign.cycle_limit, 1);
+  const auto published = read_published_figures(GetParam() / "published.csv");
+  const bool is_worn = std::ranges::any_of(
+      published, [](const PublishedFigure& one) { return one.lifter_height.has_value(); });
+  EXPECT_TRUE(is_worn || mill.campaign.cycle_limit == 1);
 }
 
 INSTANTIATE_TEST_SUITE_P(Published, Experiment, testing::ValuesIn(experiments()),

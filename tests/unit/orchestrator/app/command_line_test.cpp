@@ -127,6 +127,7 @@ TEST(CommandLine, TakesEveryOptionOfTune) {
 TEST(CommandLine, HasAnActionForEveryVerb) {
   const std::map<std::string, std::vector<const char*>> needed{
       {"import", {"--hours", "1"}},
+      {"new", {"--shell-diameter", "1", "--rows", "12", "--filling", "0.3"}},
       {"postprocess", {"--contacts", "c", "--particles", "p", "--timestep", "1e-5"}}};
   for (const Verb& verb : verbs()) {
     std::vector<const char*> words{verb.name, "case.toml"};

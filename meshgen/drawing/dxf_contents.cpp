@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <iterator>
 #include <map>
 #include <utility>
 
+#include "mill/base/number_text.h"
 #include "mill/base/user_table.h"
 
 namespace millwear::meshgen {
@@ -51,13 +51,8 @@ struct Layer {
 /// An entity with those that belong to it: the vertices of a POLYLINE, the attributes of an INSERT.
 using Entity = Groups;
 
-double number(const DxfGroup& group) {
-  std::string_view text = group.value;
-  if (text.starts_with('+')) text.remove_prefix(1);
-  double value = 0.0;
-  std::from_chars(text.data(), text.data() + text.size(), value);
-  return value;
-}
+/// Of a group that is one (`dxf_groups` has looked).
+double number(const DxfGroup& group) { return number_of(group.value).value(); }
 
 /// The first value of a code in the entity itself.
 const DxfGroup* value_of(const Entity& entity, int code) {
@@ -103,7 +98,8 @@ std::optional<LengthUnit> unit_of(const Groups& groups) {
   const auto variable = std::ranges::find_if(
       groups, [](const DxfGroup& g) { return g.code == 9 && g.value == "$INSUNITS"; });
   if (variable == groups.end() || variable + 1 == groups.end()) return std::nullopt;
-  return length_unit_of_insert(static_cast<int>(number(*(variable + 1))));
+  const auto unit = number_of((variable + 1)->value);
+  return unit ? length_unit_of_insert(static_cast<int>(*unit)) : std::nullopt;
 }
 
 std::string reason_for(const Entity& entity, const std::map<std::string, Layer>& layers) {

@@ -6,12 +6,11 @@
 #include <array>
 #include <bit>
 #include <charconv>
-#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <iterator>
 
-#include "mill/base/failure.h"
+#include "mill/base/number_text.h"
 #include "mill/base/text_file.h"
 #include "mill/base/user_table.h"
 
@@ -49,22 +48,9 @@ ValueKind kind_of(int code) {
   return found == ranges.end() ? ValueKind::text : found->kind;
 }
 
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
-bool is_number(std::string_view text) {
-  if (text.starts_with('+')) text.remove_prefix(1);
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && end == text.data() + text.size() && std::isfinite(value);
-}
-
 void check_value(const DxfGroup& group, const std::filesystem::path& file) {
   const ValueKind kind = kind_of(group.code);
-  if (kind == ValueKind::text || kind == ValueKind::chunk || is_number(group.value)) return;
+  if (kind == ValueKind::text || kind == ValueKind::chunk || number_of(group.value)) return;
   refuse_line(file, group.line,
               fmt::format("{} is not a number (of group {}); mend the drawing",
                           in_quotes(group.value), group.code));

@@ -3,24 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 
 #include "mill/base/failure.h"
+#include "mill/base/number_text.h"
 #include "mill/base/text_file.h"
 
 namespace millwear {
 namespace {
 
-constexpr std::string_view spaces = " \t\r";
 /// As a separator: any number of spaces and tabs.
 constexpr char blanks = ' ';
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(spaces);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(spaces) - first + 1);
-}
 
 /// Takes the next line from `text`, without what ends it.
 std::string_view take_line(std::string_view& text) {
@@ -214,16 +206,12 @@ double number_in(const UserTable& table, const UserRow& row, std::size_t column,
                  std::string_view such_as) {
   const std::string& field = row.fields.at(column);
   std::string text = field;
-  const bool has_plus = text.size() > 1 && text[0] == '+' && text[1] != '-' && text[1] != '+';
-  if (has_plus) text.erase(0, 1);
   if (table.decimal == ',') std::ranges::replace(text, ',', '.');
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
+  const auto value = number_of(text);
+  if (!value)
     refuse_line(table.file, row.line,
                 fmt::format("{} is not a number ({}); mend the value", in_quotes(field), such_as));
-  }
-  return value;
+  return *value;
 }
 
 }  // namespace millwear

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "mill/base/failure.h"
+#include "mill/base/number_text.h"
 #include "mill/base/text_file.h"
 
 namespace millwear {
@@ -58,12 +58,10 @@ restitution = 0.5         # assumed
 }
 
 double positive_number(std::string_view text, std::string_view all) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !(value > 0.0) ||
-      !std::isfinite(value))
+  const auto value = number_of(text);
+  if (!value || !(*value > 0.0))
     refuse_shares(all, fmt::format("has {} where a number above 0 belongs", in_quotes(text)));
-  return value;
+  return *value;
 }
 
 double assumed_height(const NewCase& wanted) { return 0.05 * 0.5 * wanted.shell_diameter; }

@@ -87,6 +87,13 @@ TEST_F(Drawing, SaysItsUnit) {
   EXPECT_FALSE(read(dxf(step, "", "", "0")).unit);
 }
 
+TEST_F(Drawing, HasNoUnitWhereThatIsNoNumber) {
+  std::string text = dxf(step);
+  const std::string unit = "$INSUNITS\n70\n4\n";
+  text.replace(text.find(unit), unit.size(), "$INSUNITS\n1\nmm\n");
+  EXPECT_FALSE(read(text).unit);
+}
+
 // Lines in any order and sense; a gap of a thousandth is closed, and one is drawn twice.
 TEST_F(Drawing, JoinsLines) {
   EXPECT_EQ(spoken(read(dxf("0 LINE 8 A 10 20 20 5 11 10 21 5 0 LINE 8 A 10 0 20 0 11 10.001 21 0 "

@@ -12,17 +12,25 @@ bool is_angle(Quantity quantity) { return name_of(quantity).unit == "°"; }
 double squared(double error) { return std::isnan(error) ? 0.0 : error * error; }
 
 /// "72.8 ± 0.3", to four digits of the value.
-std::string spoken(const Figure& figure) {
-  if (std::isnan(figure.error)) return fmt::format("{:.4g}", figure.value);
-  return fmt::format("{:.4g} ± {:.2g}", figure.value, figure.error);
+std::string spoken(const Figure& figure, double unit) {
+  if (std::isnan(figure.error)) return fmt::format("{:.4g}", figure.value / unit);
+  return fmt::format("{:.4g} ± {:.2g}", figure.value / unit, figure.error / unit);
+}
+
+/// The power of a plant is told in megawatts.
+bool is_of_a_plant(const PublishedFigure& published) {
+  constexpr double least = 1e5;  // W
+  return published.quantity == Quantity::power && published.figure.value >= least;
 }
 
 std::string row_text(const std::string& experiment, const PublishedFigure& published,
                      const Figure& simulated) {
   const auto& name = name_of(published.quantity);
-  return fmt::format("| {} | {}, {} | {} | {} | {} | {} |\n", experiment, name.words, name.unit,
-                     spoken(published.figure), spoken(simulated), verdict_of(published, simulated),
-                     published.source);
+  const bool is_large = is_of_a_plant(published);
+  const double unit = is_large ? 1e6 : 1.0;
+  return fmt::format("| {} | {}, {} | {} | {} | {} | {} |\n", experiment, name.words,
+                     is_large ? "MW" : name.unit, spoken(published.figure, unit),
+                     spoken(simulated, unit), verdict_of(published, simulated), published.source);
 }
 
 }  // namespace

@@ -85,5 +85,13 @@ TEST(ValidationTable, HasARowForEveryPublishedFigure) {
                         "Steiner 1996 |\n"));
 }
 
+TEST(ValidationTable, TellsThePowerOfAPlantInMegawatts) {
+  const Validation plant{"sag_mill",
+                         {{Quantity::power, {10.96e6, 0.55e6}, 5.03, {}, "Doll 2016"}},
+                         {{Quantity::power, {7.86e6, 0.03e6}}}};
+  EXPECT_THAT(validation_table({plant}),
+              HasSubstr("| net power, MW | 10.96 ± 0.55 | 7.86 ± 0.03 | off (-28.3 %) |"));
+}
+
 }  // namespace
 }  // namespace millwear::orchestrator
